@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# foldless_library(NAME SOURCES...): a static library with the project's warnings and include root.
+# foldless_options(TARGET): the same options for any target.
+
+function(foldless_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+  if(FOLDLESS_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(FOLDLESS_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=${FOLDLESS_SANITIZE} -fno-omit-frame-pointer
+                           -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${FOLDLESS_SANITIZE})
+  endif()
+endfunction()
+
+function(foldless_library name)
+  add_library(${name} STATIC ${ARGN})
+  foldless_options(${name})
+endfunction()

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/energy/density.h"
+#include "core/iteration.h"
+#include "core/mesh/mesh_pair.h"
+#include "core/scene/parameters.h"
+#include "core/snapshot.h"
+
+namespace foldless {
+
+/// What a run starts from: a valid mesh pair, the handles and the energy. Handles name vertices
+/// of `mesh`, no vertex twice.
+struct Problem {
+  MeshPair mesh;
+  const Density* energy = nullptr;  ///< a row of densities()
+  std::vector<Handle> handles;
+  Parameters parameters;
+};
+
+/// A run of one method on one problem, as a value that can be stepped, paused for as long as one
+/// likes, copied and resumed. Units and frame are the problem's.
+///
+/// Cancellation: step() notices the stop token between factorizations, returns nothing, and
+/// leaves the last valid mesh; calling step() again goes on from there.
+/// Every mesh that mesh() returns is locally injective.
+class Method {
+ public:
+  virtual ~Method() = default;
+  virtual std::unique_ptr<Method> clone() const = 0;
+
+  /// One vertex update. Nothing when the run has ended (see outcome()) or the token was set.
+  virtual std::optional<Iteration> step(std::stop_token token) = 0;
+  /// How the run ended; nothing while step() can still make progress.
+  virtual std::optional<Outcome> outcome() const = 0;
+
+  virtual const MeshPair& mesh() const = 0;
+  /// Moves the targets, in the order of the problem's handles; an ended run begins again from
+  /// its current mesh. 2 × #handles.
+  virtual void set_targets(const Points& targets) = 0;
+};
+
+}  // namespace foldless

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace foldless {
+
+/// The knobs of the solver, the paper's defaults (section 5). Constants that are not
+/// dimensionless hold for a rest mesh whose bounding-box diagonal is about 1: the solver
+/// normalises every scene before it solves it.
+struct Parameters {
+  std::string method = "paper-flip";  ///< a name of methods()
+  double alpha = 5e7;                 ///< weight of the penalty ‖Cu − p‖², eq. 5
+  std::optional<double> beta;        ///< weight of the barrier, eq. 5; absent: the energy's default
+  double delta = 1e-5;               ///< smallest A′/A, eq. 4, in (0, 1)
+  double eta = 1e-3;                 ///< smallest relative decrease that flips an edge (4.3)
+  int inner_iterations = 1000;       ///< N_in
+  int outer_iterations = 10;         ///< N_out
+  double gradient_tolerance = 1e-6;  ///< ε_g of eq. 7
+  double step_tolerance = 1e-8;      ///< ε_f of eq. 8, in bounding-box diagonals
+  bool condition_test = true;        ///< cancel flips that raise cond, eq. 10
+  bool area_weighted = true;         ///< false: green-strain sums ψ without A_t, as [SKPSH13]
+
+  bool operator==(const Parameters&) const = default;
+};
+
+}  // namespace foldless

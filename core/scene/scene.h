@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/energy/density.h"
+#include "core/mesh/triangle.h"
+#include "core/scene/parameters.h"
+#include "core/snapshot.h"
+
+namespace foldless {
+
+/// Where the user left a scene: the remeshed pair as it was on screen.
+struct SceneState {
+  Triangles triangles;  ///< 3 × #F
+  Points rest;          ///< 2 × #V, original vertices first
+  Points deformed;      ///< 2 × #V
+};
+
+/// A scene file in memory (FORMATS: version 1). Everything is in input units.
+struct Scene {
+  std::string mesh_path;     ///< as written in the file, relative to the scene file; empty: inline
+  Triangles triangles;       ///< 3 × #F of the original mesh, validated
+  Points rest;               ///< 2 × #V of the original mesh
+  std::string texture_path;  ///< as written, relative to the scene file; empty: checkerboard
+  const Density* energy = nullptr;  ///< a row of densities(); never null after loading
+  std::vector<Handle> handles;  ///< vertices of the original mesh, or of `state` where there is one
+  Parameters parameters;
+  std::optional<SceneState> state;
+  /// What the editor keeps beside the state (camera, overlays); opaque to core, kept as it is.
+  std::shared_ptr<const nlohmann::json> view;
+  std::string description;  ///< one line on what to look at; may be empty
+};
+
+}  // namespace foldless

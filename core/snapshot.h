@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/iteration.h"
+#include "core/mesh/triangle.h"
+
+namespace foldless {
+
+/// How a handle holds its vertex; told apart by shape on screen.
+enum class HandleKind { drag, pin, soft };
+
+/// A constrained vertex and where it should go, in input units.
+struct Handle {
+  int id = 0;                          ///< stable name, unique in a scene
+  int vertex = 0;                      ///< index into the vertices of the mesh
+  Vec2 target = Vec2::Zero();          ///< where the vertex should be
+  HandleKind kind = HandleKind::drag;  ///< `soft` handles are weighted and need not be met
+  double weight = 1;                   ///< factor on α, used for soft handles only
+
+  bool operator==(const Handle&) const = default;
+};
+
+/// One valid state of a run, immutable and in input units: what the window, the files and the
+/// renderer may see. Arrays that seldom change are shared between snapshots.
+struct Snapshot {
+  std::uint64_t generation = 0;  ///< which load of the worker it belongs to
+  std::uint64_t revision =
+      0;  ///< changes whenever `triangles` or `rest` changes, unique in a process
+  std::shared_ptr<const Triangles> triangles;              ///< 3 × #F, counter-clockwise
+  std::shared_ptr<const Points> rest;                      ///< 2 × #V, M
+  Points deformed;                                         ///< 2 × #V, M′
+  std::shared_ptr<const std::vector<Edge>> flipped_edges;  ///< edges that the original mesh lacks
+  int original_vertices = 0;  ///< vertices with this index or more came from splits
+  std::vector<Handle> handles;
+  std::optional<Iteration> iteration;  ///< absent before the first update
+};
+
+}  // namespace foldless
