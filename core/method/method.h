@@ -11,6 +11,7 @@
 #include "core/mesh/mesh_pair.h"
 #include "core/scene/parameters.h"
 #include "core/snapshot.h"
+#include "core/solve/stage_times.h"
 
 namespace foldless {
 
@@ -43,6 +44,8 @@ class Method {
   /// Moves the targets, in the order of the problem's handles; an ended run begins again from
   /// its current mesh. 2 × #handles.
   virtual void set_targets(const Points& targets) = 0;
+  /// Where the processor time went so far.
+  virtual StageTimes times() const { return {}; }
 };
 
 }  // namespace foldless

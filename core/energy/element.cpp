@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/energy/element.h"
+
+#include <limits>
+
+#include "core/energy/barrier.h"
+#include "core/energy/determinant.h"
+
+namespace foldless {
+namespace {
+
+/// ∂ vec(J) / ∂ corners, 4 × 6: J_rc = Σ_j u_jr ∂_c φ_j.
+Eigen::Matrix<double, 4, 6> jacobian_of_J(const RestElement& rest) {
+  Eigen::Matrix<double, 4, 6> B = Eigen::Matrix<double, 4, 6>::Zero();
+  for (int j = 0; j < 3; ++j)
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 2; ++c) B(r + 2 * c, 2 * j + r) = rest.gradients(c, j);
+  return B;
+}
+
+double distortion_weight(const EnergySettings& settings, const RestElement& rest) {
+  return settings.area_weighted ? rest.area : 1;
+}
+
+/// Value and derivatives of weight·ψ + β χ with respect to vec(J).
+DensityDerivatives weighted_derivatives(const EnergySettings& settings, const RestElement& rest,
+                                        const Mat2& J, ElementEnergy& energy) {
+  const double weight = distortion_weight(settings, rest);
+  DensityDerivatives d = settings.density->derivatives(J);
+  energy.distortion = weight * d.value;
+  d.gradient *= weight;
+  d.hessian *= weight;
+  const BarrierDerivatives chi = barrier_derivatives(J.determinant(), settings.delta);
+  energy.barrier = settings.beta * chi.value;
+  if (chi.value > 0) {
+    const Eigen::Vector4d g = determinant_gradient(J);
+    d.gradient += settings.beta * chi.first * g;
+    d.hessian +=
+        settings.beta * (chi.second * g * g.transpose() + chi.first * determinant_hessian());
+  }
+  return d;
+}
+
+}  // namespace
+
+RestElement rest_element(const Corners& rest) {
+  const double area = signed_area(rest.col(0), rest.col(1), rest.col(2));
+  return {area, hat_gradients(rest.col(0), rest.col(1), rest.col(2), area)};
+}
+
+Corners corners_of(const Points& points, const Eigen::Vector3i& triangle) {
+  Corners corners;
+  corners << points.col(triangle[0]), points.col(triangle[1]), points.col(triangle[2]);
+  return corners;
+}
+
+Mat2 deformation_gradient(const RestElement& rest, const Corners& deformed) {
+  // The hat gradients add up to zero, so edge vectors do: no cancellation far from the origin.
+  return (deformed.col(1) - deformed.col(0)) * rest.gradients.col(1).transpose() +
+         (deformed.col(2) - deformed.col(0)) * rest.gradients.col(2).transpose();
+}
+
+ElementEnergy element_energy(const EnergySettings& settings, const RestElement& rest,
+                             const Corners& deformed) {
+  const Mat2 J = deformation_gradient(rest, deformed);
+  const double chi = barrier_value(J.determinant(), settings.delta);
+  constexpr double kOutside = std::numeric_limits<double>::infinity();
+  // The bound A′ > δA holds for β = 0 too, where 0 · ∞ would hide it.
+  if (chi == kOutside) return {0, kOutside};
+  return {distortion_weight(settings, rest) * settings.density->value(J), settings.beta * chi};
+}
+
+ElementGradient element_gradient(const EnergySettings& settings, const RestElement& rest,
+                                 const Corners& deformed) {
+  ElementGradient result;
+  const Mat2 J = deformation_gradient(rest, deformed);
+  const DensityDerivatives d = weighted_derivatives(settings, rest, J, result.energy);
+  result.gradient = jacobian_of_J(rest).transpose() * d.gradient;
+  return result;
+}
+
+ElementHessian element_hessian(const EnergySettings& settings, const RestElement& rest,
+                               const Corners& deformed) {
+  ElementHessian result;
+  const Mat2 J = deformation_gradient(rest, deformed);
+  const DensityDerivatives d = weighted_derivatives(settings, rest, J, result.energy);
+  const Eigen::Matrix<double, 4, 6> B = jacobian_of_J(rest);
+  result.gradient = B.transpose() * d.gradient;
+  result.hessian = B.transpose() * d.hessian * B;
+  return result;
+}
+
+}  // namespace foldless

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/energy/density.h"
+#include "core/mesh/triangle.h"
+
+namespace foldless {
+
+/// Which energy E of eq. 5 is minimised, in the frame of the mesh it is used on.
+struct EnergySettings {
+  const Density* density = nullptr;  ///< ψ
+  double alpha = 5e7;                ///< weight of the penalty
+  double beta = 0.01;         ///< weight of a triangle's barrier χ_t; 0 keeps only the bound
+  double delta = 1e-5;        ///< smallest A′/A, in (0, 1)
+  bool area_weighted = true;  ///< false: Σ ψ instead of Σ A ψ
+};
+
+/// What the energy needs of a rest triangle.
+struct RestElement {
+  double area = 0;                        ///< A > 0
+  Eigen::Matrix<double, 2, 3> gradients;  ///< of the hat functions
+};
+
+/// Corners of a triangle, 2 × 3.
+using Corners = Eigen::Matrix<double, 2, 3>;
+
+/// Distortion and barrier of one triangle, weights included.
+struct ElementEnergy {
+  double distortion = 0;  ///< A ψ(J)
+  double barrier = 0;     ///< β χ, infinite when A′ ≤ δA
+  double total() const { return distortion + barrier; }
+};
+
+/// As above with the gradient with respect to the corners (x₀, y₀, x₁, y₁, x₂, y₂).
+struct ElementGradient {
+  ElementEnergy energy;
+  Eigen::Matrix<double, 6, 1> gradient;
+};
+
+/// As above with the Hessian.
+struct ElementHessian {
+  ElementEnergy energy;
+  Eigen::Matrix<double, 6, 1> gradient;
+  Eigen::Matrix<double, 6, 6> hessian;
+};
+
+RestElement rest_element(const Corners& rest);
+/// The corners of a triangle of a mesh.
+Corners corners_of(const Points& points, const Eigen::Vector3i& triangle);
+/// J = Σ u_j ∇φ_jᵀ, from edge vectors.
+Mat2 deformation_gradient(const RestElement& rest, const Corners& deformed);
+
+ElementEnergy element_energy(const EnergySettings& settings, const RestElement& rest,
+                             const Corners& deformed);
+/// Precondition: A′ > δA.
+ElementGradient element_gradient(const EnergySettings& settings, const RestElement& rest,
+                                 const Corners& deformed);
+/// Precondition: A′ > δA.
+ElementHessian element_hessian(const EnergySettings& settings, const RestElement& rest,
+                               const Corners& deformed);
+
+}  // namespace foldless

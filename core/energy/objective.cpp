@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/energy/objective.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace foldless {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Smallest positive root of c + b t + a t² with c > 0, or infinity.
+double smallest_positive_root(double a, double b, double c) {
+  const double discriminant = b * b - 4 * a * c;
+  if (discriminant < 0) return kInfinity;
+  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+  double root = kInfinity;
+  for (const double t : {q / a, c / q})
+    if (t > 0) root = std::min(root, t);  // NaN and division by zero fall through
+  return root;
+}
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Adds a 6×6 element block into the lower triangle.
+void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,
+               const Eigen::Matrix<double, 6, 6>& block) {
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const int i = nodes[static_cast<std::size_t>(a)];
+      const int j = nodes[static_cast<std::size_t>(b)];
+      if (i < j) continue;
+      const BlockPlace place = find_block(matrix, i, j);
+      double* first = &matrix.value[static_cast<std::size_t>(place.first_column)];
+      double* second = &matrix.value[static_cast<std::size_t>(place.second_column)];
+      first[0] += block(2 * a, 2 * b);
+      first[1] += block(2 * a + 1, 2 * b);
+      if (i != j) *second++ += block(2 * a, 2 * b + 1);
+      *second += block(2 * a + 1, 2 * b + 1);
+    }
+}
+
+}  // namespace
+
+Objective::Objective(const EnergySettings& settings, const MeshPair& mesh,
+                     const Positions& positions)
+    : settings_(settings), unknowns_(unknowns_of(mesh, positions.vertices)) {
+  triangles_.resize(3, mesh.face_count());
+  rest_.reserve(static_cast<std::size_t>(mesh.face_count()));
+  Eigen::Index moving = 0;
+  for (const auto& t : mesh.triangles().colwise()) {
+    if (unknowns_.node_of_vertex[static_cast<std::size_t>(t[0])] < 0) continue;
+    triangles_.col(moving++) = t;
+    rest_.push_back(rest_element(corners_of(mesh.rest(), t)));
+  }
+  triangles_.conservativeResize(Eigen::NoChange, moving);
+}
+
+EnergyTerms Objective::value(const Points& u, const Positions& positions) const {
+  EnergyTerms terms;
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    const ElementEnergy e = element_energy(settings_, rest_[static_cast<std::size_t>(t)],
+                                           corners_of(u, triangles_.col(t)));
+    if (e.barrier == kInfinity) return {0, 0, kInfinity};
+    terms.distortion += e.distortion;
+    terms.barrier += e.barrier;
+  }
+  terms.penalty = settings_.alpha * penalty(positions, u);
+  return terms;
+}
+
+Eigen::VectorXd Objective::gradient(const Points& u, const Positions& positions) const {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * unknowns_.count());
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    const ElementGradient e = element_gradient(settings_, rest_[static_cast<std::size_t>(t)],
+                                               corners_of(u, triangles_.col(t)));
+    for (int corner = 0; corner < 3; ++corner) {
+      const int node = unknowns_.node_of_vertex[static_cast<std::size_t>(triangles_(corner, t))];
+      gradient.segment<2>(2 * node) += e.gradient.segment<2>(2 * corner);
+    }
+  }
+  add_penalty_gradient(u, positions, gradient);
+  return gradient;
+}
+
+Eigen::VectorXd Objective::assemble(const Points& u, const Positions& positions,
+                                    SparseSymmetric& hessian) const {
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * unknowns_.count());
+  std::fill(hessian.value.begin(), hessian.value.end(), 0.0);
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    const ElementHessian e = element_hessian(settings_, rest_[static_cast<std::size_t>(t)],
+                                             corners_of(u, triangles_.col(t)));
+    std::array<int, 3> nodes{};
+    for (int corner = 0; corner < 3; ++corner) {
+      const int node = unknowns_.node_of_vertex[static_cast<std::size_t>(triangles_(corner, t))];
+      nodes[static_cast<std::size_t>(corner)] = node;
+      gradient.segment<2>(2 * node) += e.gradient.segment<2>(2 * corner);
+    }
+    add_block(hessian, nodes, e.hessian);
+  }
+  add_penalty_gradient(u, positions, gradient);
+  for (int i = 0; i < positions.count(); ++i) {
+    const int v = positions.vertices[static_cast<std::size_t>(i)];
+    const int node = unknowns_.node_of_vertex[static_cast<std::size_t>(v)];
+    if (node < 0) continue;
+    const BlockPlace place = find_block(hessian, node, node);
+    const double second_derivative = 2 * settings_.alpha * positions.weights[i];
+    hessian.value[static_cast<std::size_t>(place.first_column)] += second_derivative;
+    hessian.value[static_cast<std::size_t>(place.second_column)] += second_derivative;
+  }
+  return gradient;
+}
+
+void Objective::add_penalty_gradient(const Points& u, const Positions& positions,
+                                     Eigen::VectorXd& gradient) const {
+  for (int i = 0; i < positions.count(); ++i) {
+    const int v = positions.vertices[static_cast<std::size_t>(i)];
+    const int node = unknowns_.node_of_vertex[static_cast<std::size_t>(v)];
+    if (node < 0) continue;
+    gradient.segment<2>(2 * node) +=
+        2 * settings_.alpha * positions.weights[i] * (u.col(v) - positions.targets.col(i));
+  }
+}
+
+SparseSymmetric Objective::hessian_pattern() const {
+  std::vector<std::pair<int, int>> edges;
+  edges.reserve(3 * rest_.size());
+  const auto node = [this](int v) { return unknowns_.node_of_vertex[static_cast<std::size_t>(v)]; };
+  for (const auto& t : triangles_.colwise())
+    for (int corner = 0; corner < 3; ++corner)
+      edges.emplace_back(node(t[corner]), node(t[(corner + 1) % 3]));
+  return sparse_symmetric(unknowns_.count(), edges);
+}
+
+double Objective::largest_step(const Points& u, const Points& step) const {
+  double largest = kInfinity;
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    const Corners x = corners_of(u, triangles_.col(t));
+    const Corners s = corners_of(step, triangles_.col(t));
+    const Vec2 x1 = x.col(1) - x.col(0), x2 = x.col(2) - x.col(0);
+    const Vec2 s1 = s.col(1) - s.col(0), s2 = s.col(2) - s.col(0);
+    // 2(A′ − δA) along the line is a quadratic in t.
+    const double floor = 2 * settings_.delta * rest_[static_cast<std::size_t>(t)].area;
+    largest = std::min(largest, smallest_positive_root(cross(s1, s2), cross(x1, s2) + cross(s1, x2),
+                                                       cross(x1, x2) - floor));
+  }
+  return largest;
+}
+
+Points Objective::spread(const Eigen::VectorXd& direction) const {
+  Points step = Points::Zero(2, static_cast<Eigen::Index>(unknowns_.node_of_vertex.size()));
+  for (int node = 0; node < unknowns_.count(); ++node)
+    step.col(unknowns_.vertex_of_node[static_cast<std::size_t>(node)]) =
+        direction.segment<2>(2 * node);
+  return step;
+}
+
+}  // namespace foldless

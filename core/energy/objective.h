@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/energy/element.h"
+#include "core/energy/positions.h"
+#include "core/energy/sparse_symmetric.h"
+#include "core/energy/unknowns.h"
+#include "core/mesh/mesh_pair.h"
+
+namespace foldless {
+
+/// The three terms of eq. 5, weights included.
+struct EnergyTerms {
+  double distortion = 0;  ///< E_d
+  double penalty = 0;     ///< α E_c
+  double barrier = 0;     ///< β E_b, infinite outside the feasible set
+  double total() const { return distortion + penalty + barrier; }
+};
+
+/// E(u) of eq. 5 for one connectivity: value, gradient and Hessian. Positions u are 2 × #V; the
+/// gradient has one pair (x, y) per unknown node. Rebuild it after flips and splits.
+class Objective {
+ public:
+  Objective(const EnergySettings& settings, const MeshPair& mesh, const Positions& positions);
+
+  const Unknowns& unknowns() const { return unknowns_; }
+  const EnergySettings& settings() const { return settings_; }
+
+  /// Infinite terms when u is outside the feasible set.
+  EnergyTerms value(const Points& u, const Positions& positions) const;
+  /// ∇E, 2 #unknowns. Precondition: u is feasible.
+  Eigen::VectorXd gradient(const Points& u, const Positions& positions) const;
+  /// ∇E, and ∇²E into `hessian`, which has the pattern of hessian_pattern().
+  Eigen::VectorXd assemble(const Points& u, const Positions& positions,
+                           SparseSymmetric& hessian) const;
+  /// ∇²E with all values zero.
+  SparseSymmetric hessian_pattern() const;
+
+  /// The largest t for which A′ > δA holds in every triangle on all of u + τ s, 0 ≤ τ < t; infinite
+  /// when nothing bounds it. `step` is 2 × #V.
+  double largest_step(const Points& u, const Points& step) const;
+  /// A direction over the unknowns as displacements of all vertices, 2 × #V.
+  Points spread(const Eigen::VectorXd& direction) const;
+
+ private:
+  void add_penalty_gradient(const Points& u, const Positions& positions,
+                            Eigen::VectorXd& gradient) const;
+
+  EnergySettings settings_;
+  Unknowns unknowns_;
+  Triangles triangles_;            ///< of the components that move
+  std::vector<RestElement> rest_;  ///< one a triangle
+};
+
+}  // namespace foldless

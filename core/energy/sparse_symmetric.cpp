@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/energy/sparse_symmetric.h"
+
+#include <algorithm>
+
+namespace foldless {
+namespace {
+
+/// Later neighbours of every node, sorted and without repeats, by counting.
+void make_graph(SparseSymmetric& m, const std::vector<std::pair<int, int>>& edges) {
+  std::vector<int> start(static_cast<std::size_t>(m.nodes) + 1, 0);
+  for (const auto& [a, b] : edges) ++start[static_cast<std::size_t>(std::min(a, b)) + 1];
+  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+  std::vector<int> later(edges.size());
+  std::vector<int> next(start.begin(), start.end() - 1);
+  for (const auto& [a, b] : edges)
+    later[static_cast<std::size_t>(next[static_cast<std::size_t>(std::min(a, b))]++)] =
+        std::max(a, b);
+
+  m.graph_start.assign(1, 0);
+  m.graph.clear();
+  for (int j = 0; j < m.nodes; ++j) {
+    const auto first = later.begin() + start[static_cast<std::size_t>(j)];
+    const auto last = later.begin() + start[static_cast<std::size_t>(j) + 1];
+    std::sort(first, last);
+    m.graph.insert(m.graph.end(), first, std::unique(first, last));
+    m.graph_start.push_back(static_cast<int>(m.graph.size()));
+  }
+}
+
+void make_columns(SparseSymmetric& m) {
+  m.column_start.assign(1, 0);
+  m.row.clear();
+  for (int j = 0; j < m.nodes; ++j)
+    for (int column = 0; column < 2; ++column) {
+      for (int r = column; r < 2; ++r) m.row.push_back(2 * j + r);
+      for (int k = m.graph_start[static_cast<std::size_t>(j)];
+           k < m.graph_start[static_cast<std::size_t>(j) + 1]; ++k) {
+        m.row.push_back(2 * m.graph[static_cast<std::size_t>(k)]);
+        m.row.push_back(2 * m.graph[static_cast<std::size_t>(k)] + 1);
+      }
+      m.column_start.push_back(static_cast<int>(m.row.size()));
+    }
+  m.value.assign(m.row.size(), 0.0);
+}
+
+}  // namespace
+
+SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int>>& edges) {
+  SparseSymmetric m;
+  m.nodes = nodes;
+  make_graph(m, edges);
+  make_columns(m);
+  return m;
+}
+
+BlockPlace find_block(const SparseSymmetric& matrix, int i, int j) {
+  const int first = matrix.column_start[static_cast<std::size_t>(2 * j)];
+  const int second = matrix.column_start[static_cast<std::size_t>(2 * j) + 1];
+  if (i == j) return {first, second};
+  const auto begin = matrix.graph.begin() + matrix.graph_start[static_cast<std::size_t>(j)];
+  const auto end = matrix.graph.begin() + matrix.graph_start[static_cast<std::size_t>(j) + 1];
+  const int rank = static_cast<int>(std::lower_bound(begin, end, i) - begin);
+  return {first + 2 + 2 * rank, second + 1 + 2 * rank};
+}
+
+}  // namespace foldless

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+#include <vector>
+
+namespace foldless {
+
+/// The lower triangle of a symmetric matrix by columns, rows sorted, made of 2×2 blocks over an
+/// undirected graph whose nodes are vertices: unknowns 2i and 2i+1 belong to node i.
+struct SparseSymmetric {
+  int nodes = 0;
+  std::vector<int> graph_start;  ///< #nodes + 1: where the later neighbours of a node begin
+  std::vector<int> graph;        ///< neighbours with a larger index, sorted, node after node
+
+  std::vector<int> column_start;  ///< 2 #nodes + 1
+  std::vector<int> row;
+  std::vector<double> value;
+
+  int size() const { return 2 * nodes; }
+};
+
+/// The pattern of a graph given by its edges (pairs of node indices, any order, repeats allowed);
+/// all values are zero.
+SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int>>& edges);
+
+/// Where the block of nodes i > j is in `value`: rows of column 2j at [0], of column 2j+1 at [1];
+/// each is the first of two neighbouring entries. For i = j: entries (2j,2j) and (2j+1,2j+1),
+/// with (2j+1,2j) right after the first. Precondition: the pattern has the block.
+struct BlockPlace {
+  int first_column;
+  int second_column;
+};
+BlockPlace find_block(const SparseSymmetric& matrix, int i, int j);
+
+}  // namespace foldless

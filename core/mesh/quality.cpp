@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/quality.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace foldless {
+
+Quality quality_of(const Triangles& triangles, const Points& rest, const Points& deformed) {
+  Quality quality{std::numeric_limits<double>::infinity(), 1, 0};
+  for (const auto& t : triangles.colwise()) {
+    // σ₂ from the areas: σ₁ − |σ₂| loses it to cancellation in needles.
+    const double area_ratio = signed_area(deformed, t) / signed_area(rest, t);
+    const double sigma1 = signed_singular_values(deformation_gradient(rest, deformed, t))[0];
+    const double conformal = sigma1 * sigma1 / area_ratio;
+    quality.min_area_ratio = std::min(quality.min_area_ratio, area_ratio);
+    quality.max_conformal_distortion = std::max(quality.max_conformal_distortion, conformal);
+    quality.mean_conformal_distortion += conformal;
+  }
+  quality.mean_conformal_distortion /= static_cast<double>(triangles.cols());
+  return quality;
+}
+
+}  // namespace foldless

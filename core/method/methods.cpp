@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/methods.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/method/remeshing_assisted.h"
+
+namespace foldless {
+namespace {
+
+template <bool kFlips>
+std::unique_ptr<Method> start_remeshing_assisted(Problem problem) {
+  return std::make_unique<RemeshingAssisted>(std::move(problem), Remeshing{.flips = kFlips});
+}
+
+constexpr std::array kMethods{
+    MethodRow{"paper-flip", "Remeshing-assisted, flips", "JHT14", start_remeshing_assisted<true>},
+    MethodRow{"paper-noflip", "Remeshing-assisted, no flips", "JHT14",
+              start_remeshing_assisted<false>},
+};
+
+}  // namespace
+
+std::span<const MethodRow> methods() { return kMethods; }
+
+const MethodRow* find_method(std::string_view name) {
+  const auto row = std::ranges::find(kMethods, name, &MethodRow::name);
+  return row == kMethods.end() ? nullptr : &*row;
+}
+
+}  // namespace foldless

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/remesh/diamond_energy.h"
+
+#include <algorithm>
+
+namespace foldless {
+namespace {
+
+/// Height over the longest edge: below it rest triangles count as degenerate.
+constexpr double kLeastRelativeHeight = 1e-6;
+
+bool is_positive_in_rest(const MeshPair& mesh, const Eigen::Vector3i& t) {
+  const Corners rest = corners_of(mesh.rest(), t);
+  const double longest = std::max({(rest.col(1) - rest.col(0)).squaredNorm(),
+                                   (rest.col(2) - rest.col(1)).squaredNorm(),
+                                   (rest.col(0) - rest.col(2)).squaredNorm()});
+  return 2 * signed_area(mesh.rest(), t) > kLeastRelativeHeight * longest;
+}
+
+}  // namespace
+
+TrianglePair triangles_of(const Diamond& diamond) {
+  const auto& [a, b, c, d, left, right] = diamond;
+  return {Eigen::Vector3i(a, b, c), Eigen::Vector3i(b, a, d)};
+}
+
+TrianglePair flipped_triangles_of(const Diamond& diamond) {
+  const auto& [a, b, c, d, left, right] = diamond;
+  return {Eigen::Vector3i(a, d, c), Eigen::Vector3i(d, b, c)};
+}
+
+bool is_feasible(const MeshPair& mesh, const TrianglePair& triangles, double delta) {
+  return std::ranges::all_of(triangles, [&](const Eigen::Vector3i& t) {
+    return is_positive_in_rest(mesh, t) &&
+           signed_area(mesh.deformed(), t) > delta * signed_area(mesh.rest(), t);
+  });
+}
+
+double energy_of(const MeshPair& mesh, const TrianglePair& triangles,
+                 const EnergySettings& settings) {
+  double sum = 0;
+  for (const Eigen::Vector3i& t : triangles)
+    sum += element_energy(settings, rest_element(corners_of(mesh.rest(), t)),
+                          corners_of(mesh.deformed(), t))
+               .total();
+  return sum;
+}
+
+double condition_of(const MeshPair& mesh, const TrianglePair& triangles, const Diamond& diamond,
+                    const EnergySettings& settings) {
+  const std::array<int, 4> vertices{diamond.a, diamond.b, diamond.c, diamond.d};
+  Eigen::Matrix<double, 2, 4> gradient = Eigen::Matrix<double, 2, 4>::Zero();
+  double energy = 0;
+  for (const Eigen::Vector3i& t : triangles) {
+    const ElementGradient e = element_gradient(settings, rest_element(corners_of(mesh.rest(), t)),
+                                               corners_of(mesh.deformed(), t));
+    energy += e.energy.total();
+    for (int corner = 0; corner < 3; ++corner) {
+      const auto place = std::ranges::find(vertices, t[corner]) - vertices.begin();
+      gradient.col(place) += e.gradient.segment<2>(2 * corner);
+    }
+  }
+  return energy > 0 ? gradient.cwiseAbs().maxCoeff() / energy : 0;
+}
+
+}  // namespace foldless

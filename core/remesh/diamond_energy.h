@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "core/energy/element.h"
+#include "core/mesh/mesh_pair.h"
+
+namespace foldless {
+
+/// The two triangles of a diamond, by vertex indices, counter-clockwise in both meshes.
+using TrianglePair = std::array<Eigen::Vector3i, 2>;
+
+/// (a, b, c) and (b, a, d): Ψ_ab, the tessellation as it is.
+TrianglePair triangles_of(const Diamond& diamond);
+/// (a, d, c) and (d, b, c): Ψ̄_ab, the tessellation with e_ab flipped into e_cd.
+TrianglePair flipped_triangles_of(const Diamond& diamond);
+
+/// True when the triangles are positive in M, with a relative height well above rounding so that
+/// collinear points do not make one, and satisfy eq. 9, G > 0, in M′.
+bool is_feasible(const MeshPair& mesh, const TrianglePair& triangles, double delta);
+
+/// E_ab: distortion and barrier of the two triangles, without the penalty.
+double energy_of(const MeshPair& mesh, const TrianglePair& triangles,
+                 const EnergySettings& settings);
+
+/// ‖∇E_ab‖_∞ / E_ab: cond of eq. 11 without ‖u‖_∞, which is the same for both tessellations of a
+/// diamond. Zero where the energy is zero. [1/length]
+double condition_of(const MeshPair& mesh, const TrianglePair& triangles, const Diamond& diamond,
+                    const EnergySettings& settings);
+
+}  // namespace foldless

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/remesh/flip_edges.h"
+
+#include <vector>
+
+#include "core/remesh/diamond_energy.h"
+#include "core/remesh/edge_heap.h"
+
+namespace foldless {
+namespace {
+
+/// Without an absolute floor the rest state would flip on rounding noise.
+constexpr double kLeastGain = 1e-10;
+
+/// E of every triangle of the mesh, so that each is evaluated once and not once an edge.
+std::vector<double> triangle_energies(const MeshPair& mesh, const EnergySettings& settings) {
+  std::vector<double> energies;
+  energies.reserve(static_cast<std::size_t>(mesh.face_count()));
+  for (const auto& t : mesh.triangles().colwise())
+    energies.push_back(element_energy(settings, rest_element(corners_of(mesh.rest(), t)),
+                                      corners_of(mesh.deformed(), t))
+                           .total());
+  return energies;
+}
+
+/// Δ_ab when it is worth a flip, else 0. `energy` is E_ab.
+double gain_of_flip(const MeshPair& mesh, const Diamond& diamond, double energy,
+                    const FlipSettings& settings) {
+  const TrianglePair flipped = flipped_triangles_of(diamond);
+  if (!is_feasible(mesh, flipped, settings.energy.delta)) return 0;
+  const double gain = energy - energy_of(mesh, flipped, settings.energy);
+  double area = 0;
+  for (const Eigen::Vector3i& t : flipped) area += signed_area(mesh.rest(), t);
+  const bool worth =
+      gain > settings.eta * energy && gain > kLeastGain * (area + settings.energy.beta);
+  return worth ? gain : 0;
+}
+
+EdgeHeap gains(const MeshPair& mesh, const Unknowns& unknowns, const FlipSettings& settings) {
+  EdgeHeap heap(mesh.edge_count());
+  const std::vector<double> energies = triangle_energies(mesh, settings.energy);
+  for (int e = 0; e < mesh.edge_count(); ++e) {
+    if (mesh.is_boundary_edge(e)) continue;
+    const Diamond diamond = mesh.diamond(e);
+    if (unknowns.node_of_vertex[static_cast<std::size_t>(diamond.a)] < 0) continue;
+    const double energy = energies[static_cast<std::size_t>(diamond.left)] +
+                          energies[static_cast<std::size_t>(diamond.right)];
+    // A gain is at most the energy itself: most of an undeformed mesh ends here.
+    if (energy <= kLeastGain * settings.energy.beta) continue;
+    const double gain = gain_of_flip(mesh, diamond, energy, settings);
+    if (gain > 0 && mesh.is_flip_legal(e)) heap.push(e, gain);
+  }
+  return heap;
+}
+
+bool raises_condition(const MeshPair& mesh, const Diamond& diamond,
+                      const EnergySettings& settings) {
+  return condition_of(mesh, flipped_triangles_of(diamond), diamond, settings) >
+         condition_of(mesh, triangles_of(diamond), diamond, settings);
+}
+
+}  // namespace
+
+int flip_edges(MeshPair& mesh, const Unknowns& unknowns, const FlipSettings& settings) {
+  EdgeHeap heap = gains(mesh, unknowns, settings);
+  int flips = 0;
+  while (const std::optional<int> e = heap.pop()) {
+    // The diamond is as it was when pushed, but an edge c–d may have been made elsewhere since.
+    if (!mesh.is_flip_legal(*e)) continue;
+    const Diamond diamond = mesh.diamond(*e);
+    if (settings.condition_test && raises_condition(mesh, diamond, settings.energy)) continue;
+    mesh.flip(*e);
+    ++flips;
+    for (const int t : {diamond.left, diamond.right})
+      for (const int side : mesh.edges_of_triangle(t)) heap.erase(side);
+  }
+  return flips;
+}
+
+}  // namespace foldless

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "core/energy/sparse_symmetric.h"
+
+namespace foldless {
+
+/// Sparse Cholesky factorization LLᵀ of a symmetric matrix, through CHOLMOD [CDHR08]: simplicial
+/// for small systems, supernodal for large ones. The symbolic part is kept while the pattern
+/// stands. A copy starts empty and analyses anew.
+class Cholesky {
+ public:
+  Cholesky();
+  ~Cholesky();
+  Cholesky(const Cholesky& other);
+  Cholesky& operator=(const Cholesky& other);
+  Cholesky(Cholesky&&) noexcept;
+  Cholesky& operator=(Cholesky&&) noexcept;
+
+  /// Symbolic factorization of the pattern. The fill-reducing ordering is that of the vertex
+  /// graph; with `keep_ordering` the previous one serves again (same number of unknowns).
+  void analyze(const SparseSymmetric& matrix, bool keep_ordering = false);
+  /// Factorizes matrix + shift·I; false when that is not positive definite.
+  /// Precondition: analyze() was called with the same pattern.
+  bool factorize(const SparseSymmetric& matrix, double shift = 0);
+  /// True when analyze() was called on this object itself.
+  bool is_analyzed() const;
+  /// True when the last factorization succeeded and nothing was analysed since.
+  bool has_factor() const;
+  /// Solves with the factor. Precondition: has_factor().
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace foldless

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solve/newton_system.h"
+
+namespace foldless {
+namespace {
+
+// The damping of [SKPSH13].
+constexpr double kLambdaAfterSuccess = 1e-5;
+constexpr double kLambdaFactor = 10;
+constexpr double kLargestLambda = 1e17;
+
+constexpr double kEdgesChangedBeforeReordering = 0.02;
+
+}  // namespace
+
+NewtonSystem::NewtonSystem(const EnergySettings& settings, const MeshPair& mesh,
+                           const Positions& positions)
+    : objective_(settings, mesh, positions),
+      hessian_(objective_.hessian_pattern()),
+      edge_count_(mesh.edge_count()) {}
+
+void NewtonSystem::rebuild(const MeshPair& mesh, const Positions& positions, int changed_edges) {
+  StageTimer timer(times.analyze);
+  objective_ = Objective(objective_.settings(), mesh, positions);
+  hessian_ = objective_.hessian_pattern();
+  edge_count_ = mesh.edge_count();
+  edges_changed_since_ordering_ += changed_edges;
+  pattern_analyzed_ = false;
+  plain_factor_ = false;
+}
+
+void NewtonSystem::assemble(const Points& u, const Positions& positions) {
+  StageTimer timer(times.assemble);
+  gradient_ = objective_.assemble(u, positions, hessian_);
+  plain_factor_ = false;
+}
+
+void NewtonSystem::assemble_gradient(const Points& u, const Positions& positions) {
+  StageTimer timer(times.assemble);
+  gradient_ = objective_.gradient(u, positions);
+}
+
+bool NewtonSystem::factorize(double mu) {
+  // A copied Cholesky is empty, whatever this object remembers.
+  if (!pattern_analyzed_ || !cholesky_.is_analyzed()) {
+    StageTimer timer(times.analyze);
+    const bool keep = edges_changed_since_ordering_ <= kEdgesChangedBeforeReordering * edge_count_;
+    if (!keep) edges_changed_since_ordering_ = 0;
+    cholesky_.analyze(hessian_, keep);
+    pattern_analyzed_ = true;
+  }
+  StageTimer timer(times.factorize);
+  ++counters.factorizations;
+  return cholesky_.factorize(hessian_, mu);
+}
+
+bool NewtonSystem::factorize_plain() {
+  plain_factor_ = factorize(0);
+  if (!plain_factor_) return false;
+  lambda_ = kLambdaAfterSuccess;
+  return true;
+}
+
+std::optional<double> NewtonSystem::factorize_damped(bool plain_failed, std::stop_token token) {
+  if (!plain_failed && factorize_plain()) return 0;
+  double mu = 0;
+  for (bool first = true; lambda_ <= kLargestLambda; first = false) {
+    if (token.stop_requested()) return std::nullopt;
+    mu += lambda_;
+    plain_factor_ = false;
+    if (factorize(mu)) {
+      if (first) lambda_ /= kLambdaFactor;
+      return mu;
+    }
+    lambda_ *= kLambdaFactor;
+  }
+  return std::nullopt;
+}
+
+Points NewtonSystem::newton_step() {
+  StageTimer timer(times.solve);
+  return objective_.spread(cholesky_.solve(-gradient_));
+}
+
+double NewtonSystem::slope(const Points& step) const {
+  double sum = 0;
+  const std::vector<int>& vertices = objective_.unknowns().vertex_of_node;
+  for (std::size_t node = 0; node < vertices.size(); ++node)
+    sum += gradient_.segment<2>(2 * static_cast<Eigen::Index>(node)).dot(step.col(vertices[node]));
+  return sum;
+}
+
+}  // namespace foldless

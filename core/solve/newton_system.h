@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <stop_token>
+
+#include "core/energy/objective.h"
+#include "core/solve/cholesky.h"
+#include "core/solve/stage_times.h"
+
+namespace foldless {
+
+/// The counters of Table 1.
+struct Counters {
+  int factorizations = 0;  ///< H: every attempt
+  int updates = 0;         ///< U: every accepted update
+};
+
+/// The linear system of eq. 6 for one mesh, with the damping of [SKPSH13] that lives from one
+/// iteration to the next. Plain copyable state: a copy analyses its pattern anew.
+class NewtonSystem {
+ public:
+  NewtonSystem(const EnergySettings& settings, const MeshPair& mesh, const Positions& positions);
+
+  /// Takes over a changed connectivity. The fill-reducing ordering is kept until more than 2 % of
+  /// the edges changed, when it begins to cost more than a new one.
+  void rebuild(const MeshPair& mesh, const Positions& positions, int changed_edges);
+
+  const Objective& objective() const { return objective_; }
+
+  /// Assembles ∇E and ∇²E at u for the factorizations that follow.
+  void assemble(const Points& u, const Positions& positions);
+  /// Assembles ∇E alone. ∇²E and its factor stay good when only targets moved since assemble().
+  void assemble_gradient(const Points& u, const Positions& positions);
+  const Eigen::VectorXd& gradient() const { return gradient_; }
+  /// True when the factor of ∇²E itself, as last assembled, is at hand.
+  bool has_plain_factor() const { return plain_factor_ && cholesky_.has_factor(); }
+  /// True when ∇²E itself is positive definite; its factor then serves the next solve.
+  bool factorize_plain();
+  /// Factorizes ∇²E + μI for the smallest μ that the damping tries: μ = 0 first unless
+  /// `plain_failed` (the caller knows), then λ added cumulatively, ×10 a failure. Nothing when
+  /// cancelled or when λ ran out of range; else μ.
+  std::optional<double> factorize_damped(bool plain_failed, std::stop_token token);
+  /// −(factor)⁻¹ ∇E as displacements of the vertices, 2 × #V.
+  Points newton_step();
+  /// ∇E · step, for a step as newton_step() gives it.
+  double slope(const Points& step) const;
+  /// Says that the vertices moved: what was assembled and factorized is out of date.
+  void moved() { plain_factor_ = false; }
+
+  Counters counters;
+  StageTimes times;
+
+ private:
+  bool factorize(double mu);
+
+  Objective objective_;
+  SparseSymmetric hessian_;
+  Eigen::VectorXd gradient_;
+  Cholesky cholesky_;
+  bool pattern_analyzed_ = false;
+  bool plain_factor_ = false;
+  int edges_changed_since_ordering_ = 0;
+  int edge_count_ = 0;
+  double lambda_ = 0.1;
+};
+
+}  // namespace foldless

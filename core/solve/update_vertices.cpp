@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solve/update_vertices.h"
+
+#include "core/solve/line_search.h"
+
+namespace foldless {
+
+VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
+                             std::stop_token token) {
+  if (system.has_plain_factor()) {
+    system.assemble_gradient(mesh.deformed(), positions);
+    return move_vertices(system, mesh, positions, 0);
+  }
+  system.assemble(mesh.deformed(), positions);
+  const std::optional<double> mu = system.factorize_damped(false, token);
+  if (!mu) return {.cancelled = token.stop_requested()};
+  return move_vertices(system, mesh, positions, *mu);
+}
+
+VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
+                           double mu) {
+  VertexUpdate update{.mu = mu};
+  const Points step = system.newton_step();
+  StageTimer timer(system.times.line_search);
+  const double slope = system.slope(step);
+  if (!(slope < 0)) return update;
+  LineSearchResult found =
+      line_search(system.objective(), positions, {mesh.deformed(), step, slope});
+  if (found.step_length == 0) return update;
+  update.step_length = found.step_length;
+  update.step_infinity_norm = (found.u - mesh.deformed()).cwiseAbs().maxCoeff();
+  mesh.set_deformed(std::move(found.u));
+  system.moved();
+  ++system.counters.updates;
+  return update;
+}
+
+}  // namespace foldless
