@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/injective.h"
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "core/mesh/orientation.h"
+
+namespace foldless {
+namespace {
+
+constexpr int kNext[] = {1, 2, 0};
+constexpr int kPrevious[] = {2, 0, 1};
+
+void count_offender(int index, int& count, std::optional<int>& first) {
+  ++count;
+  if (!first) first = index;
+}
+
+/// How often the link of each vertex crosses the horizontal ray to its right upwards, from the
+/// corners of counter-clockwise triangles: round such a corner the link edge turns by less than
+/// π, so it crosses the ray exactly when it begins below and ends on or above. For an interior
+/// vertex the sum is its winding number, found by comparisons alone.
+void count_crossings(const Eigen::Vector3i& t, const Points& points, std::vector<int>& crossings) {
+  for (int corner = 0; corner < 3; ++corner) {
+    const double y = points(1, t[corner]);
+    if (points(1, t[kNext[corner]]) < y && y <= points(1, t[kPrevious[corner]]))
+      ++crossings[static_cast<std::size_t>(t[corner])];
+  }
+}
+
+}  // namespace
+
+std::vector<bool> interior_vertices(const Triangles& triangles, int vertex_count) {
+  // The link of a vertex is one chain of edges: the differences of their indices add up to zero
+  // exactly when the chain is closed.
+  const auto n = static_cast<std::size_t>(vertex_count);
+  std::vector<std::int64_t> link(n, 0);
+  std::vector<bool> interior(n, false);
+  for (const auto& t : triangles.colwise())
+    for (int corner = 0; corner < 3; ++corner) {
+      const auto v = static_cast<std::size_t>(t[corner]);
+      link[v] += t[kPrevious[corner]] - t[kNext[corner]];
+      interior[v] = true;
+    }
+  for (std::size_t v = 0; v < n; ++v) interior[v] = interior[v] && link[v] == 0;
+  return interior;
+}
+
+InjectivityChecker::InjectivityChecker(Triangles triangles, int vertex_count)
+    : triangles_(std::move(triangles)), interior_(interior_vertices(triangles_, vertex_count)) {}
+
+InjectivityReport InjectivityChecker::check(const Points& points) const {
+  assert(static_cast<std::size_t>(points.cols()) == interior_.size());
+  InjectivityReport report;
+  std::vector<int> crossings(interior_.size(), 0);
+  std::vector<bool> positive(interior_.size(), true);
+  for (Eigen::Index f = 0; f < triangles_.cols(); ++f) {
+    const Eigen::Vector3i t = triangles_.col(f);
+    const int sign = orientation(points, t);
+    if (sign > 0) {
+      count_crossings(t, points, crossings);
+      continue;
+    }
+    for (const int v : t) positive[static_cast<std::size_t>(v)] = false;
+    if (sign < 0) count_offender(static_cast<int>(f), report.inverted, report.first_inverted);
+    if (sign == 0) count_offender(static_cast<int>(f), report.degenerate, report.first_degenerate);
+  }
+  for (std::size_t v = 0; v < interior_.size(); ++v)
+    if (interior_[v] && positive[v] && crossings[v] != 1)
+      count_offender(static_cast<int>(v), report.branch_vertices, report.first_branch_vertex);
+  return report;
+}
+
+InjectivityReport check_injectivity(const Triangles& triangles, const Points& points) {
+  return InjectivityChecker(triangles, static_cast<int>(points.cols())).check(points);
+}
+
+bool is_injective(const Triangles& triangles, const Points& points) {
+  return check_injectivity(triangles, points).is_injective();
+}
+
+bool is_injective(const Triangles& triangles, const Points& rest, const Points& deformed) {
+  const InjectivityChecker checker(triangles, static_cast<int>(rest.cols()));
+  return checker.is_injective(rest) && checker.is_injective(deformed);
+}
+
+}  // namespace foldless

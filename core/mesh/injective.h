@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/mesh/triangle.h"
+
+namespace foldless {
+
+/// What keeps a mesh from being locally injective; all zero when it is.
+struct InjectivityReport {
+  int inverted = 0;         ///< triangles that are clockwise
+  int degenerate = 0;       ///< triangles of area exactly zero, or with a coordinate not finite
+  int branch_vertices = 0;  ///< interior vertices of positive triangles, wound more than once
+  std::optional<int> first_inverted;       ///< triangle index
+  std::optional<int> first_degenerate;     ///< triangle index
+  std::optional<int> first_branch_vertex;  ///< vertex index
+
+  bool is_injective() const { return inverted == 0 && degenerate == 0 && branch_vertices == 0; }
+};
+
+/// True for every vertex whose edges all have two triangles; false at the boundary and for
+/// vertices without a triangle. Precondition: oriented manifold triangles. O(#V + #F).
+std::vector<bool> interior_vertices(const Triangles& triangles, int vertex_count);
+
+/// Proof that a planar mesh is locally injective, exact and without tolerance: every triangle is
+/// counter-clockwise, and the triangles round every interior vertex cover it once. Keeps what
+/// depends on the connectivity only, for many sets of positions. O(#V + #F) a check.
+class InjectivityChecker {
+ public:
+  /// Precondition: oriented manifold triangles, indices in [0, vertex_count).
+  InjectivityChecker(Triangles triangles, int vertex_count);
+
+  /// Everything that is wrong with positions (2 × #V).
+  InjectivityReport check(const Points& points) const;
+  bool is_injective(const Points& points) const { return check(points).is_injective(); }
+
+ private:
+  Triangles triangles_;
+  std::vector<bool> interior_;
+};
+
+/// One check of a mesh; see InjectivityChecker.
+InjectivityReport check_injectivity(const Triangles& triangles, const Points& points);
+
+/// True when the mesh is locally injective; see InjectivityChecker.
+bool is_injective(const Triangles& triangles, const Points& points);
+
+/// True when both meshes of one connectivity are.
+bool is_injective(const Triangles& triangles, const Points& rest, const Points& deformed);
+
+}  // namespace foldless
