@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Checks of the sources themselves.
+
+add_test(NAME Layering.HoldsInTheSources
+         COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/layering_test.cmake)
+add_test(NAME Layering.ComplainsAboutEachBrokenRule
+         COMMAND ${CMAKE_COMMAND} -DTEST=${CMAKE_CURRENT_SOURCE_DIR}/layering_test.cmake
+                 -DTREE=${CMAKE_CURRENT_BINARY_DIR}/layering_tree
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/layering_self_test.cmake)
+
+find_program(CLANG_FORMAT NAMES clang-format-14 clang-format)
+if(CLANG_FORMAT)
+  add_test(NAME Format.HoldsInTheSources
+           COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                   -DCLANG_FORMAT=${CLANG_FORMAT} -P ${CMAKE_CURRENT_SOURCE_DIR}/format_test.cmake)
+  set_tests_properties(Format.HoldsInTheSources PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED:")
+endif()

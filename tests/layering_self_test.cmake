@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Shows that layering_test.cmake can fail: breaks one rule at a time in a made-up tree, and expects
+# the complaint.
+#   cmake -DTEST=.../layering_test.cmake -DTREE=.../scratch -P layering_self_test.cmake
+
+# check(OUT): runs the test over the tree; its complaint, or nothing, goes into OUT.
+function(check out)
+  execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${TREE} -P ${TEST}
+                  RESULT_VARIABLE status ERROR_VARIABLE complaint)
+  if(status EQUAL 0)
+    set(complaint "")
+  endif()
+  set(${out} "${complaint}" PARENT_SCOPE)
+endfunction()
+
+function(write_good_tree)
+  file(REMOVE_RECURSE ${TREE})
+  file(WRITE ${TREE}/core/energy/objective.cpp
+       "#include \"core/energy/objective.h\"\n#include <vector>\n#include \"core/mesh/mesh_pair.h\"\n"
+       "using namespace foldless;\n// std::cout stays out of here\n")
+  file(WRITE ${TREE}/core/run/worker.cpp "#include <thread>\nstd::thread solver_;\n")
+  file(WRITE ${TREE}/render/mesh_layer.cpp "#include <Eigen/Core>\n#include <glm/vec2.hpp>\n")
+  file(WRITE ${TREE}/app/editor/editor.cpp "#include \"core/run/worker.h\"\n")
+  file(WRITE ${TREE}/app/gui/window.cpp "#include <GLFW/glfw3.h>\n#include <imgui.h>\n")
+  file(WRITE ${TREE}/app/main.cpp "#include <iostream>\nint main() { std::cout << 1; }\n")
+endfunction()
+
+# expect(FILE LINE): with LINE in FILE the test fails and names FILE.
+function(expect file line)
+  write_good_tree()
+  file(APPEND ${TREE}/${file} "${line}\n")
+  check(complaint)
+  string(FIND "${complaint}" "${file}:" found)
+  if(found EQUAL -1)
+    message(SEND_ERROR "accepted in ${file}: ${line}")
+  endif()
+endfunction()
+
+write_good_tree()
+check(complaint)
+if(complaint)
+  message(SEND_ERROR "complains about a good tree: ${complaint}")
+endif()
+
+expect(core/energy/objective.cpp "#include \"render/camera.h\"")
+expect(core/energy/objective.cpp "#include <glad/gl.h>")
+expect(core/energy/objective.cpp "#include <imgui.h>")
+expect(core/energy/objective.cpp "#include <cholmod.h>")
+expect(core/mesh/generate.cpp "#include <CGAL/Constrained_Delaunay_triangulation_2.h>")
+expect(core/iteration.h "#include \"core/run/worker.h\"")
+expect(core/mesh/mesh_pair.h "#include \"core/energy/density.h\"")
+expect(core/energy/density.h "  #  include \"core/solve/cholesky.h\"")
+expect(core/solve/cholesky.cpp "#include \"core/remesh/flip_edges.h\"")
+expect(core/remesh/flip_edges.cpp "#include \"core/solve/cholesky.h\"")
+expect(core/scene/scene.cpp "#include \"core/method/method.h\"")
+expect(core/method/lim.cpp "#include \"core/run/worker.h\"")
+expect(core/energy/arap.cpp "void f() { std::jthread t; }")
+expect(core/energy/arap.cpp "#pragma omp parallel for")
+expect(core/energy/arap.cpp "void f() { std::cout << 1; }")
+expect(core/energy/arap.cpp "void f() { printf(\"1\"); }")
+expect(core/energy/arap.h "using namespace std;")
+expect(render/image.cpp "#include \"core/mesh/mesh_pair.h\"")
+expect(render/image.cpp "#include \"app/editor/editor.h\"")
+expect(render/image.cpp "#include <GL/osmesa.h>")
+expect(render/image.cpp "#include <Eigen/Core>")
+expect(render/image.cpp "#include <imgui.h>")
+expect(render/image.cpp "void f() { fprintf(stderr, \"1\"); }")
+expect(app/editor/tools.cpp "#include <imgui.h>")
+expect(app/editor/tools.cpp "#include <GLFW/glfw3.h>")
+expect(app/editor/tools.cpp "#include \"render/scene_renderer.h\"")
+expect(app/editor/tools.cpp "#include \"app/gui/window.h\"")
+expect(app/gui/panel.cpp "void f() { std::async(g); }")
+expect(app/cli_solve.cpp "#include <GLFW/glfw3.h>")
+
+write_good_tree()
+file(WRITE ${TREE}/app/cli_solve.cpp "#include <CLI/CLI.hpp>\n")
+file(WRITE ${TREE}/app/cli_check.cpp "#include <CLI/CLI.hpp>\n")
+check(complaint)
+if(NOT complaint MATCHES "CLI11 belongs to one file")
+  message(SEND_ERROR "accepted CLI11 in two files")
+endif()
+file(REMOVE_RECURSE ${TREE})

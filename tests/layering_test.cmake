@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Reads the #include lines of core, render and app and fails where a layer sees what it must not.
+#   cmake -DSOURCE_DIR=... -P layering_test.cmake
+
+# Regular expressions for what a file may include. Quoted includes are paths from the project's
+# root; the others are listed with their angle bracket.
+set(STD "<[a-z_]+>")
+set(POSIX "<(fcntl|unistd|poll|spawn|signal|sys/[a-z]+)\\.h>")
+set(IMAGE_CODECS "<(png|turbojpeg|webp/[a-z_]+)\\.h>")
+set(CORE "core/(error|iteration|snapshot|atomic_file|data_path)\\.h")
+set(PLAIN "${STD}|${POSIX}")
+
+file(GLOB_RECURSE SOURCES RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/core/* ${SOURCE_DIR}/render/*
+     ${SOURCE_DIR}/app/*)
+list(FILTER SOURCES INCLUDE REGEX "\\.(h|cpp)$")
+set(VIOLATIONS "")
+
+macro(violation file what)
+  string(APPEND VIOLATIONS "\n  ${file}: ${what}")
+endmacro()
+
+# may_include(FILES ALLOWED): every include of the files whose path matches FILES matches ALLOWED.
+function(may_include files allowed)
+  list(FILTER SOURCES INCLUDE REGEX "^(${files})$")
+  foreach(file IN LISTS SOURCES)
+    file(STRINGS ${SOURCE_DIR}/${file} lines REGEX "^[ \t]*#[ \t]*include" ENCODING UTF-8)
+    foreach(line IN LISTS lines)
+      string(REGEX MATCH "<[^>]+>|\"[^\"]+\"" include "${line}")
+      string(REPLACE "\"" "" include "${include}")
+      if(NOT include MATCHES "^(${allowed})$")
+        violation(${file} "must not include ${include}")
+      endif()
+    endforeach()
+  endforeach()
+  set(VIOLATIONS "${VIOLATIONS}" PARENT_SCOPE)
+endfunction()
+
+# only_in(FILES TOKEN WHAT): only files whose path matches FILES have a line of code (comments aside)
+# that matches TOKEN.
+function(only_in files token what)
+  list(FILTER SOURCES EXCLUDE REGEX "^(${files})$")
+  foreach(file IN LISTS SOURCES)
+    file(STRINGS ${SOURCE_DIR}/${file} hits REGEX "^([^/]|/[^/])*(${token})" ENCODING UTF-8)
+    if(hits)
+      list(GET hits 0 hit)
+      string(STRIP "${hit}" hit)
+      violation(${file} "${what}: ${hit}")
+    endif()
+  endforeach()
+  set(VIOLATIONS "${VIOLATIONS}" PARENT_SCOPE)
+endfunction()
+
+# 1 and 2. What core may see, a layer at a time: mesh <- energy <- {solve, remesh, scene} <- method
+# <- run.
+set(BASE "${PLAIN}|${CORE}|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
+set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
+set(ENERGY "${MESH}|core/energy/.*")
+set(SCENE "${ENERGY}|core/scene/.*")
+set(METHOD "${SCENE}|core/(solve|remesh|method)/.*")
+may_include("core/mesh/.*" "${MESH}|<CGAL/.*>")
+may_include("core/energy/.*" "${ENERGY}")
+may_include("core/solve/.*" "${ENERGY}|core/solve/.*|<(suitesparse/)?cholmod\\.h>")
+may_include("core/remesh/.*" "${ENERGY}|core/remesh/.*")
+may_include("core/scene/.*" "${SCENE}")
+may_include("core/outline/.*" "${MESH}|core/outline/.*|${IMAGE_CODECS}|<CGAL/.*>")
+may_include("core/method/.*" "${METHOD}")
+may_include("core/run/.*" "${METHOD}|core/run/.*")
+may_include("core/[^/]+" "${BASE}|core/mesh/.*")
+
+# 1. What the renderer and the application may see.
+set(RENDER_OF_CORE "core/(error|iteration|snapshot|data_path|mesh/triangle)\\.h")
+set(GRAPHICS "<(glad/gl|GL/osmesa|imgui)\\.h>|<glm/.*>")
+may_include("render/.*" "${PLAIN}|${RENDER_OF_CORE}|render/.*|${GRAPHICS}|${IMAGE_CODECS}|<Eigen/.*>")
+set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|view_options)\\.h|app/editor/.*")
+may_include("app/editor/.*" "${EDITOR}")
+may_include("app/export/.*" "${BASE}|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
+may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|<(glad/gl|imgui.*|GLFW/glfw3)\\.h>")
+may_include("app/cli[^/]*" "${BASE}|<CLI/CLI\\.hpp>|core/.*|render/.*|app/export/.*|app/cli.*")
+
+# 1. Libraries that one place alone sees.
+only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
+only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui belongs to app/gui")
+only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
+only_in("core/solve/cholesky\\.cpp" "cholmod\\.h>" "CHOLMOD belongs to cholesky.cpp")
+only_in("core/(mesh/orientation|outline/triangulate)\\.cpp" "<CGAL/" "CGAL belongs to two files")
+only_in("app/cli_[a-z_]+\\.cpp" "<CLI/" "CLI11 belongs to the command line")
+set(cli11_files "")
+foreach(file IN LISTS SOURCES)
+  file(STRINGS ${SOURCE_DIR}/${file} hits REGEX "include <CLI/")
+  if(hits)
+    list(APPEND cli11_files ${file})
+  endif()
+endforeach()
+list(LENGTH cli11_files count)
+if(count GREATER 1)
+  violation("${cli11_files}" "CLI11 belongs to one file")
+endif()
+only_in("(core/run|app/export)/.*"
+        "std::j?thread([^a-z_:]|$)|std::async|pthread_create|#pragma omp"
+        "only core/run and app/export start threads")
+
+# 3. Doubles and Eigen meet floats and GLM in two files of the renderer.
+only_in("core/.*|app/.*|render/(mesh|marker)_layer\\.(h|cpp)" "<Eigen/"
+        "Eigen ends at mesh_layer and marker_layer")
+
+# 4. Only main and the command line print; headers do not open namespaces.
+only_in("app/(main|cli.*)\\.(h|cpp)"
+        "std::(cout|cerr|clog)|<iostream>|(^|[^a-z_])(printf|fprintf|puts|fputs|putchar|perror) *[(]"
+        "only main and the command line print")
+only_in(".*\\.cpp" "using namespace" "no using namespace in headers")
+
+if(VIOLATIONS)
+  message(FATAL_ERROR "the layers of the architecture are broken:${VIOLATIONS}")
+endif()
