@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/snapshot.h"
+#include "render/view_options.h"
+
+namespace foldless {
+
+/// The scale of a heat map: logarithmic from `min` (first colour) to `max` (last colour).
+struct HeatRange {
+  HeatMeasure measure = HeatMeasure::conformal;
+  double min = 1;  ///< dimensionless, > 0
+  double max = 1;  ///< ≥ min
+  int triangle_at_max = 0;
+};
+
+/// Distortion of each triangle, dimensionless. [σ₁/σ₂, or A′/A]
+struct Distortion {
+  std::vector<double> values;  ///< one a triangle
+  HeatRange range;             ///< covers the values; conformal starts at 1
+};
+
+/// Of the snapshot's map from rest to deformed mesh.
+Distortion distortion_of(const Snapshot& snapshot, HeatMeasure measure);
+
+/// Where a value is on the scale, in [0, 1]; 0 on a scale without extent.
+double position_on(const HeatRange& range, double value);
+/// The value at `t` in [0, 1] of the scale: inverse of position_on().
+double value_at(const HeatRange& range, double t);
+
+}  // namespace foldless

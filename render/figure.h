@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/snapshot.h"
+#include "render/camera.h"
+#include "render/image.h"
+#include "render/view_options.h"
+
+namespace foldless {
+
+/// Which mesh a figure shows.
+enum class FigureView { deformed, rest, both };
+
+/// A picture of a snapshot for a file; see `foldless render`.
+struct FigureOptions {
+  int width = 1200;  ///< pixels
+  int height = 900;  ///< pixels
+  int samples = 4;   ///< samples a pixel; fewer where the context refuses
+  FigureView view = FigureView::deformed;
+  ViewOptions style;             ///< its pose is set from `view`
+  std::optional<Image> texture;  ///< the checkerboard when absent
+  std::optional<Box> frame;      ///< world box to show; absent: the mesh and its targets
+};
+
+/// Draws snapshots off screen, any number of them in one context.
+class FigureRenderer {
+ public:
+  /// Throws Error when no context can be made.
+  FigureRenderer();
+  ~FigureRenderer();
+  FigureRenderer(const FigureRenderer&) = delete;
+  FigureRenderer& operator=(const FigureRenderer&) = delete;
+
+  /// `both` shows the rest mesh with its constrained vertices green at the left, and the deformed
+  /// mesh with its targets red at the right. The heat layer comes with a legend. Throws Error on a
+  /// size that cannot be made.
+  Image render(const Snapshot& snapshot, const FigureOptions& options);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// One figure; see FigureRenderer.
+Image render_figure(const Snapshot& snapshot, const FigureOptions& options);
+
+/// The box of the deformed mesh, the rest mesh, or both, with the targets of the handles.
+Box frame_of(const Snapshot& snapshot, FigureView view);
+
+}  // namespace foldless

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace foldless {
+
+/// 8-bit RGBA, rows from the top, straight (not premultiplied) alpha, sRGB.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;  ///< 4 × width × height
+
+  Image() = default;
+  /// Transparent black.
+  Image(int w, int h)
+      : width(w),
+        height(h),
+        pixels(4 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+
+  /// The four bytes of a pixel; y from the top.
+  std::uint8_t* at(int x, int y) { return pixels.data() + offset(x, y); }
+  const std::uint8_t* at(int x, int y) const { return pixels.data() + offset(x, y); }
+
+  bool operator==(const Image&) const = default;
+
+ private:
+  std::size_t offset(int x, int y) const {
+    return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x));
+  }
+};
+
+/// Keyword → text of a picture: what is drawn and how it came about, e.g. Scene, Iteration, Energy.
+using ImageTexts = std::map<std::string, std::string>;
+
+/// Reads a PNG, JPEG or WebP; its first bytes tell which. Throws Error when the file cannot be
+/// read, is none of these, is damaged, or is larger than 16384 pixels a side.
+Image load_image(const std::filesystem::path& path);
+
+/// PNG bytes of the image, its texts as Latin-1 or UTF-8 text chunks. Throws Error on an empty
+/// image.
+std::string encode_png(const Image& image, const ImageTexts& texts = {});
+
+/// Writes encode_png() so that a whole file or none is there. Throws Error when it cannot.
+void save_png(const std::filesystem::path& path, const Image& image, const ImageTexts& texts = {});
+
+/// The text chunks of a PNG file. Throws Error as load_image().
+ImageTexts read_png_texts(const std::filesystem::path& path);
+
+}  // namespace foldless

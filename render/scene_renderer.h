@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/snapshot.h"
+#include "render/camera.h"
+#include "render/distortion.h"
+#include "render/image.h"
+#include "render/view_options.h"
+
+namespace foldless {
+
+/// A rectangle of the framebuffer in pixels, origin at its lower left corner as in glViewport.
+struct Viewport {
+  int x = 0;
+  int y = 0;
+  int width = 1;
+  int height = 1;
+};
+
+/// From where a snapshot is seen, and what the user has under the hand.
+struct SceneView {
+  Viewport viewport;
+  Camera camera;
+  std::vector<int> selected;   ///< ids of the selected handles
+  std::optional<int> hovered;  ///< id of the handle under the mouse
+};
+
+/// What reached the graphics card since the renderer was made.
+struct RenderStats {
+  std::uint64_t index_uploads = 0;     ///< uploads of triangles, edges and rest positions
+  std::uint64_t position_uploads = 0;  ///< uploads of deformed positions
+};
+
+/// Draws snapshots with GL 3.3 into the framebuffer that is bound; never makes a context. Every
+/// function, the destructor too, needs the context of the constructor to be current. Draws inside
+/// the viewport only. Leaves blending, scissor, depth and stencil tests off, program, vertex array
+/// and 2D texture unbound.
+class SceneRenderer {
+ public:
+  /// Compiles the shaders of a folder; without one, of data_path("shaders"). Throws Error when one
+  /// is missing or does not compile.
+  explicit SceneRenderer(const std::filesystem::path& shader_folder = {});
+  ~SceneRenderer();
+  SceneRenderer(SceneRenderer&&) noexcept;
+  SceneRenderer& operator=(SceneRenderer&&) noexcept;
+
+  /// Fills the mesh with an image from now on: the box of the rest mesh ↔ the whole image.
+  void set_texture(const Image& image);
+  /// Back to the checkerboard.
+  void clear_texture();
+
+  /// Uploads positions, and connectivity only when Snapshot::revision changed, then draws.
+  void draw(const Snapshot& snapshot, const SceneView& view, const ViewOptions& options);
+
+  /// The scale of the heat map that was drawn last; nothing when the layer was off.
+  const std::optional<HeatRange>& heat_range() const;
+  const RenderStats& stats() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace foldless
