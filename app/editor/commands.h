@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/editor/input.h"
+
+namespace foldless {
+
+class Editor;
+
+/// A key with its modifiers.
+struct Shortcut {
+  Key key = Key::none;
+  Modifiers modifiers;
+
+  bool operator==(const Shortcut&) const = default;
+};
+
+/// One thing a user can ask for: feeds menus, keys, search and cheat sheet.
+struct Command {
+  std::string_view name;                ///< stable, `edit.undo`
+  std::string_view menu;                ///< `File`, `Edit`, `Select`, `Solve`, `View`, `Help`
+  std::string_view title;               ///< words in menus and search
+  std::span<const Shortcut> shortcuts;  ///< the first one is shown in menus
+  bool (*is_enabled)(const Editor&);
+  void (*run)(Editor&);
+  /// State of a switch, or null for commands that are none.
+  bool (*is_checked)(const Editor&) = nullptr;
+  /// Called when the key is let go, for commands that last as long as it is held; else null.
+  void (*release)(Editor&) = nullptr;
+};
+
+/// Every command in menu order.
+std::span<const Command> commands();
+
+/// The command of that name, or null.
+const Command* find_command(std::string_view name);
+/// The command with that shortcut, or null.
+const Command* find_command(const Shortcut& shortcut);
+
+/// `Ctrl+Shift+S`.
+std::string words_of(const Shortcut& shortcut);
+/// The first shortcut in words, or empty.
+std::string shortcut_words(const Command& command);
+
+}  // namespace foldless

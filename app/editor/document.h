@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/energy/density.h"
+#include "core/iteration.h"
+#include "core/mesh/mesh_pair.h"
+#include "core/mesh/shape.h"
+#include "core/method/method.h"
+#include "core/scene/parameters.h"
+#include "core/snapshot.h"
+
+namespace foldless {
+
+/// Where the solver stood when a document was last brought up to date.
+struct Standing {
+  std::optional<Outcome> outcome;  ///< nothing: the run had not ended
+  bool satisfied = false;          ///< every handle that is not soft was at its target
+};
+
+/// Everything that undo restores: an immutable value whose large parts are shared between copies.
+/// Lengths are in input units.
+struct Document {
+  std::shared_ptr<const Shape> original;  ///< the mesh before any remeshing; null: nothing is open
+  std::shared_ptr<const Snapshot> pose;  ///< rest and deformed mesh as they are; null with original
+  std::vector<Handle> handles;           ///< in the solver's order; vertices of `pose`
+  const Density* energy = nullptr;       ///< a row of densities(), never null
+  Parameters parameters;
+  std::filesystem::path texture;  ///< absolute path of an image; empty: checkerboard
+  std::string name;               ///< of the mesh, for the title
+  std::string description;        ///< one line on what to look at; may be empty
+  Standing standing;
+
+  bool is_empty() const { return original == nullptr; }
+};
+
+/// A document without a mesh.
+Document empty_document();
+
+/// A document of an undeformed mesh without handles. Precondition: `shape` is valid.
+Document document_of(Shape shape, std::string name);
+
+/// The mesh pair that a document shows. Precondition: not empty.
+MeshPair mesh_of(const Document& document);
+
+/// What the worker is given. Precondition: not empty.
+Problem problem_of(const Document& document);
+
+/// A pose made of a mesh pair, with the marks that make it different from `original`.
+std::shared_ptr<const Snapshot> pose_of(const MeshPair& mesh, const Shape& original);
+
+/// A pose that came from the solver, with the marks that make it different from `original`; parts
+/// that equal those of `previous` are shared with it.
+std::shared_ptr<const Snapshot> adopted_pose(const std::shared_ptr<const Snapshot>& snapshot,
+                                             const Snapshot& previous, const Shape& original);
+
+/// The edges of `triangles` between vertices of `original` that are no edges there, sorted.
+std::vector<Edge> edges_not_in(const Shape& original, const Triangles& triangles);
+
+/// The handle with that id, or null.
+const Handle* find_handle(const Document& document, int id);
+/// The handle at that vertex, or null.
+const Handle* handle_at_vertex(const Document& document, int vertex);
+/// Where a handle is now, as opposed to its target.
+Vec2 position_of(const Document& document, const Handle& handle);
+/// An id that no handle of the document has or, as long as ids only grow, had.
+int next_handle_id(const Document& document);
+
+/// A handle counts as at its target within this distance. [length]
+double target_tolerance(const Document& document);
+/// True when every handle that is not soft is at its target.
+bool is_at_targets(const Document& document);
+
+/// True when both would be written to the same scene file: mesh, pose, handles, energy,
+/// parameters and texture agree exactly.
+bool is_same_content(const Document& a, const Document& b);
+
+}  // namespace foldless
