@@ -10,6 +10,9 @@ namespace foldless {
 /// vec(J) = (J₀₀, J₁₀, J₀₁, J₁₁): the order of every derivative with respect to J.
 inline Eigen::Vector4d vec(const Mat2& J) { return {J(0, 0), J(1, 0), J(0, 1), J(1, 1)}; }
 
+/// det J = A′/A.
+inline double determinant(const Mat2& J) { return J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0); }
+
 /// ∂ det J / ∂ vec(J).
 inline Eigen::Vector4d determinant_gradient(const Mat2& J) {
   return {J(1, 1), -J(0, 1), -J(1, 0), J(0, 0)};

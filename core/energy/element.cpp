@@ -30,7 +30,7 @@ DensityDerivatives weighted_derivatives(const EnergySettings& settings, const Re
   energy.distortion = weight * d.value;
   d.gradient *= weight;
   d.hessian *= weight;
-  const BarrierDerivatives chi = barrier_derivatives(J.determinant(), settings.delta);
+  const BarrierDerivatives chi = barrier_derivatives(determinant(J), settings.delta);
   energy.barrier = settings.beta * chi.value;
   if (chi.value > 0) {
     const Eigen::Vector4d g = determinant_gradient(J);
@@ -63,7 +63,7 @@ Mat2 deformation_gradient(const RestElement& rest, const Corners& deformed) {
 ElementEnergy element_energy(const EnergySettings& settings, const RestElement& rest,
                              const Corners& deformed) {
   const Mat2 J = deformation_gradient(rest, deformed);
-  const double chi = barrier_value(J.determinant(), settings.delta);
+  const double chi = barrier_value(determinant(J), settings.delta);
   constexpr double kOutside = std::numeric_limits<double>::infinity();
   // The bound A′ > δA holds for β = 0 too, where 0 · ∞ would hide it.
   if (chi == kOutside) return {0, kOutside};

@@ -14,7 +14,7 @@ DensityDerivatives green_strain_derivatives(const Mat2& J) {
   const Eigen::Vector4d j = vec(J);
   const Eigen::Vector4d g = determinant_gradient(J);
   const double n = j.squaredNorm();
-  const double det = J.determinant();
+  const double det = determinant(J);
   return {green_strain_value(J), 4 * (n - 1) * j - 4 * det * g,
           8 * j * j.transpose() + 4 * (n - 1) * Eigen::Matrix4d::Identity() -
               4 * g * g.transpose() - 4 * det * determinant_hessian()};

@@ -8,7 +8,7 @@ namespace foldless {
 // ‖J⁻¹‖² = ‖J‖²/det² in two dimensions, so ψ = ½ n (1 + det⁻²) with n = ‖J‖².
 
 double symmetric_dirichlet_value(const Mat2& J) {
-  const double det = J.determinant();
+  const double det = determinant(J);
   return 0.5 * J.squaredNorm() * (1 + 1 / (det * det));
 }
 
@@ -16,7 +16,7 @@ DensityDerivatives symmetric_dirichlet_derivatives(const Mat2& J) {
   const Eigen::Vector4d j = vec(J);
   const Eigen::Vector4d g = determinant_gradient(J);
   const double n = j.squaredNorm();
-  const double det = J.determinant();
+  const double det = determinant(J);
   const double det2 = 1 / (det * det);
   const double det3 = det2 / det;
   const double det4 = det2 * det2;
