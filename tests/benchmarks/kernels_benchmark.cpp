@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solver's kernels on a disk that is being twisted; the argument is the number of triangles.
+#include <benchmark/benchmark.h>
+
+#include "core/mesh/injective.h"
+#include "core/method/methods.h"
+#include "core/method/remeshing_assisted.h"
+#include "core/remesh/flip_edges.h"
+#include "core/run/run.h"
+#include "core/solve/line_search.h"
+#include "core/solve/newton_system.h"
+#include "tests/benchmarks/turned_disk.h"
+
+namespace foldless::benchmarks {
+namespace {
+
+constexpr double kTwist = 60;
+
+/// The twist after a few iterations, when its triangles are well distorted.
+struct Twist {
+  explicit Twist(int faces)
+      : problem(turned_disk(faces, kTwist)),
+        positions(positions_of(problem.handles)),
+        settings(energy_settings(problem)) {
+    const auto method = find_method("paper-noflip")->start(problem);
+    for (int i = 0; i < 5; ++i) method->step({});
+    problem.mesh = method->mesh();
+  }
+
+  Problem problem;
+  Positions positions;
+  EnergySettings settings;
+};
+
+void sizes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(500)->Arg(5000)->Arg(50000)->Unit(benchmark::kMillisecond);
+}
+
+void report_triangles(benchmark::State& state, const MeshPair& mesh) {
+  state.counters["triangles"] = mesh.face_count();
+}
+
+void assemble(benchmark::State& state) {
+  const Twist twist(static_cast<int>(state.range(0)));
+  NewtonSystem system(twist.settings, twist.problem.mesh, twist.positions);
+  for (auto _ : state) system.assemble(twist.problem.mesh.deformed(), twist.positions);
+  report_triangles(state, twist.problem.mesh);
+}
+BENCHMARK(assemble)->Apply(sizes);
+
+void analyze(benchmark::State& state) {
+  const Twist twist(static_cast<int>(state.range(0)));
+  const Objective objective(twist.settings, twist.problem.mesh, twist.positions);
+  const SparseSymmetric pattern = objective.hessian_pattern();
+  Cholesky cholesky;
+  for (auto _ : state) cholesky.analyze(pattern);
+  report_triangles(state, twist.problem.mesh);
+}
+BENCHMARK(analyze)->Apply(sizes);
+
+void factorize(benchmark::State& state) {
+  const Twist twist(static_cast<int>(state.range(0)));
+  const Objective objective(twist.settings, twist.problem.mesh, twist.positions);
+  SparseSymmetric hessian = objective.hessian_pattern();
+  objective.assemble(twist.problem.mesh.deformed(), twist.positions, hessian);
+  constexpr double kEnoughForPositiveDefinite = 1e4;
+  Cholesky cholesky;
+  cholesky.analyze(hessian);
+  for (auto _ : state)
+    if (!cholesky.factorize(hessian, kEnoughForPositiveDefinite))
+      state.SkipWithError("not positive definite");
+  report_triangles(state, twist.problem.mesh);
+}
+BENCHMARK(factorize)->Apply(sizes);
+
+void search_line(benchmark::State& state) {
+  const Twist twist(static_cast<int>(state.range(0)));
+  const MeshPair& mesh = twist.problem.mesh;
+  NewtonSystem system(twist.settings, mesh, twist.positions);
+  system.assemble(mesh.deformed(), twist.positions);
+  if (!system.factorize_damped(false, {})) state.SkipWithError("no factor");
+  const Points step = system.newton_step();
+  const Line line{mesh.deformed(), step, system.slope(step)};
+  for (auto _ : state)
+    benchmark::DoNotOptimize(line_search(system.objective(), twist.positions, line));
+  report_triangles(state, mesh);
+}
+BENCHMARK(search_line)->Apply(sizes);
+
+void scan_for_flips(benchmark::State& state) {
+  const Twist twist(static_cast<int>(state.range(0)));
+  const Objective objective(twist.settings, twist.problem.mesh, twist.positions);
+  const FlipSettings settings{twist.settings, 1e-3, true};
+  MeshPair mesh = twist.problem.mesh;
+  flip_edges(mesh, objective.unknowns(), settings);  // from here on there is nothing to flip
+  for (auto _ : state) benchmark::DoNotOptimize(flip_edges(mesh, objective.unknowns(), settings));
+  report_triangles(state, mesh);
+}
+BENCHMARK(scan_for_flips)->Apply(sizes);
+
+void prove_injective(benchmark::State& state) {
+  const Twist twist(static_cast<int>(state.range(0)));
+  const MeshPair& mesh = twist.problem.mesh;
+  const InjectivityChecker checker(mesh.triangles(), mesh.vertex_count());
+  for (auto _ : state) benchmark::DoNotOptimize(checker.is_injective(mesh.deformed()));
+  report_triangles(state, mesh);
+}
+BENCHMARK(prove_injective)->Apply(sizes);
+
+void solve(benchmark::State& state) {
+  const Problem problem = turned_disk(static_cast<int>(state.range(0)), kTwist);
+  int factorizations = 0;
+  for (auto _ : state) {
+    Run run(problem);
+    while (const auto iteration = run.step({})) factorizations = iteration->factorizations;
+  }
+  report_triangles(state, problem.mesh);
+  state.counters["factorizations"] = factorizations;
+}
+BENCHMARK(solve)->Arg(500)->Arg(5000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace foldless::benchmarks
