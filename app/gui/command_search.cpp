@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/command_search.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "app/editor/commands.h"
+#include "app/gui/directory.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+namespace {
+
+std::string words_of(const Command& command) {
+  return std::string(command.menu) + ": " + std::string(command.title);
+}
+
+std::vector<const Command*> matches(const std::string& text) {
+  std::vector<const Command*> found;
+  for (const Command& command : commands())
+    if (matches_filter(words_of(command), text)) found.push_back(&command);
+  return found;
+}
+
+void draw_shortcut(const Command& command, const Look& look) {
+  const std::string shortcut = shortcut_words(command);
+  if (shortcut.empty()) return;
+  const float width = ImGui::CalcTextSize(shortcut.c_str()).x;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - width - look.px(4));
+  ImGui::TextColored(look.palette->dim, "%s", shortcut.c_str());
+}
+
+}  // namespace
+
+void CommandSearch::open() {
+  opens_now_ = true;
+  text_.clear();
+  selected_ = 0;
+}
+
+void CommandSearch::draw(Editor& editor, const Look& look) {
+  if (opens_now_) ImGui::OpenPopup("##command search");
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float width = std::min(look.px(520), display.x * 0.9F);
+  ImGui::SetNextWindowPos({(display.x - width) / 2, look.px(72)});
+  ImGui::SetNextWindowSize({width, std::min(look.px(380), display.y * 0.7F)});
+  if (!ImGui::BeginPopup("##command search", ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove))
+    return;
+  if (opens_now_) ImGui::SetKeyboardFocusHere();
+  opens_now_ = false;
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputTextWithHint("##search", "What would you like to do?", &text_)) selected_ = 0;
+  ImGui::BeginChild("rows");
+  draw_rows(editor, look);
+  ImGui::EndChild();
+  if (is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+void CommandSearch::draw_rows(Editor& editor, const Look& look) {
+  const auto found = matches(text_);
+  if (found.empty()) return dim_text("No command has these letters.", look);
+  const int last = static_cast<int>(found.size()) - 1;
+  if (is_pressed(ImGuiKey_DownArrow)) selected_ = std::min(selected_ + 1, last);
+  if (is_pressed(ImGuiKey_UpArrow)) selected_ = std::max(selected_ - 1, 0);
+  selected_ = std::min(selected_, last);
+  const Command* chosen = is_pressed(ImGuiKey_Enter) ? found[static_cast<std::size_t>(selected_)]
+                                                     : nullptr;
+  for (int row = 0; row <= last; ++row) {
+    const Command& command = *found[static_cast<std::size_t>(row)];
+    ImGui::BeginDisabled(!command.is_enabled(editor));
+    if (ImGui::Selectable(words_of(command).c_str(), row == selected_,
+                          ImGuiSelectableFlags_DontClosePopups))
+      chosen = &command;
+    if (row == selected_ && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+    draw_shortcut(command, look);
+    ImGui::EndDisabled();
+  }
+  if (!chosen || !chosen->is_enabled(editor)) return;
+  ImGui::CloseCurrentPopup();
+  editor.run_command(chosen->name);
+}
+
+}  // namespace foldless

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/editor/editor.h"
+#include "app/gui/look.h"
+
+namespace foldless {
+
+/// Ctrl+K: finds a command by a few of its letters and runs it.
+class CommandSearch {
+ public:
+  void open();
+  void draw(Editor& editor, const Look& look);
+
+ private:
+  void draw_rows(Editor& editor, const Look& look);
+
+  std::string text_;
+  int selected_ = 0;
+  bool opens_now_ = false;
+};
+
+}  // namespace foldless

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/gui/directory.h"
+#include "app/gui/look.h"
+
+namespace foldless {
+
+/// What the file browser is asked for.
+struct FileRequest {
+  enum class Purpose { open, save };
+  Purpose purpose = Purpose::open;
+  std::string title;
+  std::vector<std::string> extensions;  ///< `.json`; the first is added to a name that has none
+  std::filesystem::path start;          ///< folder, or suggested file
+  std::vector<std::filesystem::path> places;  ///< folders one click away, beside home
+  std::function<void(const std::filesystem::path&)> chosen;
+  std::function<void()> dismissed;  ///< may be empty
+};
+
+/// An own dialog for choosing a file: many Linux desktops have none. Typing filters the list; a
+/// typed path goes there; arrows, Enter, Backspace and Esc work without the mouse.
+class FileBrowser {
+ public:
+  void ask(FileRequest request);
+  bool is_open() const { return is_open_; }
+  void draw(const Look& look);
+
+ private:
+  void enter(const std::filesystem::path& folder);
+  void accept();
+  void accept_path(const std::filesystem::path& path);
+  void finish(const std::filesystem::path& path);
+  void dismiss();
+  void refilter();
+  void move_selection(int by);
+  void handle_keys();
+  void draw_breadcrumbs(const Look& look);
+  void draw_places(const Look& look);
+  void draw_entries(const Look& look);
+  void draw_row(std::size_t row, const Look& look);
+  void draw_footer(const Look& look);
+  void draw_replace_question(const Look& look);
+
+  bool saves() const { return request_.purpose == FileRequest::Purpose::save; }
+
+  FileRequest request_;
+  DirectoryListing listing_;
+  std::vector<std::size_t> shown_;  ///< indices of the entries that pass the filter
+  std::size_t selected_ = 0;        ///< index into shown_
+  std::string text_;                ///< filter, path or name of the file to save
+  std::string message_;             ///< why the last choice was refused
+  std::filesystem::path replacing_;  ///< existing file that waits for a yes
+  bool is_open_ = false;
+  bool opens_now_ = false;
+  bool wants_focus_ = false;
+  bool scrolls_to_selection_ = false;
+};
+
+}  // namespace foldless

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foldless {
+namespace {
+
+constexpr float kMenuBar = 28;
+constexpr float kStatusBar = 25;
+constexpr float kTimeline = 40;
+constexpr float kLeft = 228;
+constexpr float kRight = 284;
+constexpr float kNarrow = 860;  ///< design pixels under which one panel holds all sections
+
+}  // namespace
+
+Layout layout_for(Extent framebuffer, float scale, bool shows_panels) {
+  const auto width = static_cast<float>(framebuffer.width);
+  const auto height = static_cast<float>(framebuffer.height);
+  const auto px = [scale](float design) { return std::round(design * scale); };
+  Layout layout;
+  layout.is_narrow = width < px(kNarrow);
+  const float left = shows_panels && !layout.is_narrow ? px(kLeft) : 0;
+  const float right = shows_panels ? std::min(px(kRight), std::round(width / 2)) : 0;
+  const float middle = width - left - right;
+  const float bottom = std::max(height - px(kStatusBar), px(kMenuBar));
+  const float top = px(kMenuBar);
+  const float canvas_bottom = std::max(bottom - px(kTimeline), top);
+  layout.menu_bar = {0, 0, width, top};
+  layout.left = {0, top, left, bottom - top};
+  layout.right = {left + middle, top, right, bottom - top};
+  layout.canvas = {left, top, middle, canvas_bottom - top};
+  layout.timeline = {left, canvas_bottom, middle, bottom - canvas_bottom};
+  layout.status_bar = {0, bottom, width, height - bottom};
+  return layout;
+}
+
+}  // namespace foldless

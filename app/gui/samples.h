@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foldless {
+
+/// A scene that comes with the program.
+struct Sample {
+  std::filesystem::path path;
+  std::string title;        ///< from the file's name: `Swirl 180`
+  std::string description;  ///< one line on what to look at; may be empty
+};
+
+/// The scenes in the program's data, by title; none when the data is missing.
+std::vector<Sample> find_samples();
+
+/// The scene that the program opens on when it is given none.
+std::filesystem::path welcome_scene();
+
+}  // namespace foldless

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "render/view_options.h"
+
+namespace foldless {
+
+/// What the user set once for all documents.
+struct Settings {
+  double scale = 1;  ///< on top of the desktop's scale, 0.75 … 3
+  Theme theme = Theme::dark;
+  bool shows_panels = true;
+
+  bool operator==(const Settings&) const = default;
+};
+
+inline constexpr double kSmallestScale = 0.75;
+inline constexpr double kLargestScale = 3.0;
+
+/// Reads settings; what is missing or cannot be read takes its default.
+Settings load_settings(const std::filesystem::path& file);
+
+/// Writes settings; a folder that cannot be written to is no error, they last for the session.
+void save_settings(const std::filesystem::path& file, const Settings& settings);
+
+}  // namespace foldless

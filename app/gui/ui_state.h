@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/input.h"
+#include "app/gui/command_search.h"
+#include "app/gui/export_dialog.h"
+#include "app/gui/file_browser.h"
+#include "app/gui/samples.h"
+#include "app/gui/settings.h"
+#include "render/distortion.h"
+
+namespace foldless {
+
+/// What the panels remember from frame to frame and the document does not hold.
+struct UiState {
+  Settings settings;
+  std::vector<Sample> samples;
+  FileBrowser browser;
+  CommandSearch search;
+  ExportDialog exporting;
+  bool shows_cheat_sheet = false;
+  bool shows_about = false;
+  bool wants_to_quit = false;
+  std::filesystem::path last_folder;     ///< where the last file was opened or saved
+  Modifiers modifiers;                   ///< held now
+  std::optional<Vec2> pointer;           ///< on the canvas, framebuffer pixels
+  std::optional<HeatRange> heat_range;   ///< of the heat map on screen
+  std::optional<double> hovered_heat;    ///< its value under the pointer
+};
+
+}  // namespace foldless

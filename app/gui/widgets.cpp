@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foldless {
+namespace {
+
+/// Draws in a unit square, y down.
+struct IconBrush {
+  ImDrawList& list;
+  ImVec2 corner;
+  float size;
+  ImU32 colour;
+
+  ImVec2 at(float x, float y) const { return {corner.x + x * size, corner.y + y * size}; }
+  void right_triangle(float x0, float x1) const {
+    list.AddTriangleFilled(at(x0, 0.1F), at(x0, 0.9F), at(x1, 0.5F), colour);
+  }
+  void left_triangle(float x0, float x1) const {
+    list.AddTriangleFilled(at(x1, 0.1F), at(x1, 0.9F), at(x0, 0.5F), colour);
+  }
+  void bar(float x0, float x1) const { list.AddRectFilled(at(x0, 0.1F), at(x1, 0.9F), colour); }
+};
+
+void draw_folder(const IconBrush& b) {
+  b.list.AddRectFilled(b.at(0.04F, 0.18F), b.at(0.46F, 0.5F), b.colour, b.size * 0.1F);
+  b.list.AddRectFilled(b.at(0.04F, 0.3F), b.at(0.96F, 0.85F), b.colour, b.size * 0.1F);
+}
+
+void draw_up(const IconBrush& b) {
+  const float thickness = std::max(1.5F, b.size * 0.13F);
+  b.list.AddLine(b.at(0.5F, 0.12F), b.at(0.5F, 0.9F), b.colour, thickness);
+  b.list.AddLine(b.at(0.5F, 0.12F), b.at(0.16F, 0.46F), b.colour, thickness);
+  b.list.AddLine(b.at(0.5F, 0.12F), b.at(0.84F, 0.46F), b.colour, thickness);
+}
+
+void draw_icon(const IconBrush& b, Icon icon) {
+  switch (icon) {
+    case Icon::play: b.right_triangle(0.18F, 0.92F); break;
+    case Icon::pause:
+      b.bar(0.16F, 0.4F);
+      b.bar(0.6F, 0.84F);
+      break;
+    case Icon::step:
+      b.bar(0.1F, 0.26F);
+      b.right_triangle(0.36F, 0.94F);
+      break;
+    case Icon::stop: b.list.AddRectFilled(b.at(0.14F, 0.14F), b.at(0.86F, 0.86F), b.colour); break;
+    case Icon::first:
+      b.bar(0.1F, 0.24F);
+      b.left_triangle(0.26F, 0.88F);
+      break;
+    case Icon::back: b.left_triangle(0.14F, 0.8F); break;
+    case Icon::forward: b.right_triangle(0.2F, 0.86F); break;
+    case Icon::last:
+      b.right_triangle(0.12F, 0.74F);
+      b.bar(0.76F, 0.9F);
+      break;
+    case Icon::folder: draw_folder(b); break;
+    case Icon::up: draw_up(b); break;
+  }
+}
+
+}  // namespace
+
+bool icon_button(const char* id, Icon icon, const std::string& tip, const Look& look, bool main) {
+  const float side = ImGui::GetFrameHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  if (main) {
+    ImGui::PushStyleColor(ImGuiCol_Button, look.palette->accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, look.palette->accent);
+  }
+  ImGui::PushID(id);
+  const bool pressed = ImGui::Button("##icon", {side, side});
+  ImGui::PopID();
+  if (main) ImGui::PopStyleColor(2);
+  const float margin = std::round(side * 0.28F);
+  const ImVec4& colour = main ? look.palette->on_accent : look.palette->text;
+  draw_icon({*ImGui::GetWindowDrawList(),
+             {corner.x + margin, corner.y + margin},
+             side - 2 * margin,
+             packed(colour, ImGui::GetStyle().Alpha)},
+            icon);
+  tooltip(tip, look);
+  return pressed;
+}
+
+bool main_button(const char* label, const Look& look) {
+  ImGui::PushStyleColor(ImGuiCol_Button, look.palette->accent);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, look.palette->accent);
+  ImGui::PushStyleColor(ImGuiCol_Text, look.palette->on_accent);
+  const bool pressed = ImGui::Button(label);
+  ImGui::PopStyleColor(3);
+  return pressed;
+}
+
+bool section(const char* title, const Look& look) {
+  ImGui::PushFont(look.fonts.bold);
+  ImGui::PushStyleColor(ImGuiCol_Header, ImVec4{0, 0, 0, 0});
+  const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  return open;
+}
+
+void dim_text(const std::string& text, const Look& look) {
+  ImGui::PushFont(look.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, look.palette->dim);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+void tooltip(const std::string& text, const Look& look) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(8), look.px(6)});
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(look.px(300));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void key_cap(const std::string& key, const Look& look) {
+  ImGui::PushFont(look.fonts.small);
+  const ImVec2 size = ImGui::CalcTextSize(key.c_str());
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 padding{look.px(5), look.px(1)};
+  const ImVec2 end{corner.x + size.x + 2 * padding.x, corner.y + size.y + 2 * padding.y};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, end, packed(look.palette->frame), look.px(3));
+  list.AddRect(corner, end, packed(look.palette->border), look.px(3));
+  list.AddText({corner.x + padding.x, corner.y + padding.y}, packed(look.palette->text),
+               key.c_str());
+  ImGui::PopFont();
+  ImGui::Dummy({end.x - corner.x, end.y - corner.y});
+}
+
+void centre_next_window(const ImVec2& size, const Look& look) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 fitted{std::min(look.px(size.x), display.x * 0.96F),
+                      std::min(look.px(size.y), display.y * 0.94F)};
+  ImGui::SetNextWindowSize(fitted);
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+}
+
+bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
+}  // namespace foldless

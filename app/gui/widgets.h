@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "app/gui/look.h"
+
+namespace foldless {
+
+/// Pictures drawn with lines, so that they need no icon font and are sharp at every scale.
+enum class Icon { play, pause, step, stop, first, back, forward, last, folder, up };
+
+/// A square button with a picture; `tip` is its tooltip. `main` fills it with the accent colour.
+bool icon_button(const char* id, Icon icon, const std::string& tip, const Look& look,
+                 bool main = false);
+
+/// A button in the accent colour: the one thing a dialog is for.
+bool main_button(const char* label, const Look& look);
+
+/// A heading that folds its section away; true when the section is open.
+bool section(const char* title, const Look& look);
+
+/// One line of secondary text, cut at the end when it does not fit.
+void dim_text(const std::string& text, const Look& look);
+
+/// Shows wrapped text when the mouse rests on the last item.
+void tooltip(const std::string& text, const Look& look);
+
+/// A key cap, `Ctrl+Z`, at the cursor.
+void key_cap(const std::string& key, const Look& look);
+
+/// Places the next window in the middle, at most `size` design pixels and always inside.
+void centre_next_window(const ImVec2& size, const Look& look);
+
+/// True in the frame in which the key went down or repeats.
+bool is_pressed(ImGuiKey key);
+
+}  // namespace foldless

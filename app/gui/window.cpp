@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/window.h"
+
+#include <glad/gl.h>
+// glad comes first: it replaces the system's GL header.
+#include <GLFW/glfw3.h>
+
+#include <cstdlib>
+#include <utility>
+
+#include "app/gui/window_events.h"
+#include "core/error.h"
+
+namespace foldless {
+namespace {
+
+/// GLFW's last error as the end of a sentence.
+std::string glfw_reason() {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  return reason ? std::string(": ") + reason + "." : ".";
+}
+
+GLFWwindow* make_window(const std::string& title, Extent size) {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "foldless");
+  for (const int samples : {4, 2, 0}) {
+    glfwWindowHint(GLFW_SAMPLES, samples);
+    if (GLFWwindow* window =
+            glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr))
+      return window;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool has_display() {
+  const char* x11 = std::getenv("DISPLAY");
+  return x11 && *x11 != '\0';
+}
+
+Window::Window(const std::string& title, Extent size) : title_(title) {
+  if (!glfwInit()) throw Error("The window system cannot be used" + glfw_reason());
+  window_ = make_window(title, size);
+  if (!window_) {
+    const std::string reason = glfw_reason();
+    glfwTerminate();
+    throw Error("No window with OpenGL 3.3 can be opened" + reason);
+  }
+  glfwMakeContextCurrent(window_);
+  if (gladLoadGL(glfwGetProcAddress) == 0) {
+    glfwTerminate();
+    throw Error("The functions of OpenGL 3.3 cannot be loaded.");
+  }
+  glfwSwapInterval(1);
+  glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  make_cursors();
+  send_events_to(window_, events_);
+}
+
+Window::~Window() {
+  for (GLFWcursor* cursor : cursors_) glfwDestroyCursor(cursor);
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+void Window::make_cursors() {
+  for (const int shape : {GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HAND_CURSOR,
+                          GLFW_CROSSHAIR_CURSOR})
+    cursors_.push_back(glfwCreateStandardCursor(shape));
+}
+
+void Window::wait_events(double seconds) {
+  if (seconds < 0) {
+    glfwWaitEvents();
+  } else if (seconds == 0) {
+    glfwPollEvents();
+  } else {
+    glfwWaitEventsTimeout(seconds);
+  }
+  is_woken_ = false;
+}
+
+void Window::wake() {
+  if (!is_woken_.exchange(true)) glfwPostEmptyEvent();
+}
+
+std::vector<UiEvent> Window::take_events() { return std::exchange(events_, {}); }
+
+bool Window::take_close_request() {
+  const bool asked = glfwWindowShouldClose(window_) != 0;
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  return asked;
+}
+
+Extent Window::size() const {
+  Extent extent;
+  glfwGetWindowSize(window_, &extent.width, &extent.height);
+  return extent;
+}
+
+Extent Window::framebuffer_size() const {
+  Extent extent;
+  glfwGetFramebufferSize(window_, &extent.width, &extent.height);
+  return extent;
+}
+
+float Window::content_scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return x > 0 ? x : 1;
+}
+
+double Window::refresh_interval() const {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  return mode && mode->refreshRate > 0 ? 1.0 / mode->refreshRate : 1.0 / 60;
+}
+
+void Window::set_title(const std::string& title) {
+  if (title == title_) return;
+  title_ = title;
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::set_cursor(CursorShape shape) {
+  if (shape == cursor_) return;
+  cursor_ = shape;
+  glfwSetCursor(window_, cursors_[static_cast<std::size_t>(shape)]);
+}
+
+std::string Window::clipboard() const {
+  const char* text = glfwGetClipboardString(window_);
+  return text ? text : "";
+}
+
+void Window::set_clipboard(const std::string& text) {
+  glfwSetClipboardString(window_, text.c_str());
+}
+
+void Window::swap_buffers() { glfwSwapBuffers(window_); }
+
+}  // namespace foldless
