@@ -4,7 +4,8 @@
 include(GNUInstallDirs)
 
 install(TARGETS foldless RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY shaders assets DESTINATION ${CMAKE_INSTALL_DATADIR}/foldless)
+install(DIRECTORY shaders assets DESTINATION ${CMAKE_INSTALL_DATADIR}/foldless
+        PATTERN make EXCLUDE)
 install(FILES assets/icons/foldless.svg
         DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES cmake/foldless.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)

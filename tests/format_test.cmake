@@ -5,7 +5,7 @@
 # skipped.
 
 file(GLOB_RECURSE sources ${SOURCE_DIR}/core/* ${SOURCE_DIR}/render/* ${SOURCE_DIR}/app/*
-     ${SOURCE_DIR}/tests/* ${SOURCE_DIR}/shaders/*)
+     ${SOURCE_DIR}/tests/* ${SOURCE_DIR}/shaders/* ${SOURCE_DIR}/assets/*)
 list(FILTER sources INCLUDE REGEX "\\.(h|cpp|vert|frag)$")
 
 foreach(file IN LISTS sources)
