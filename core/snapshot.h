@@ -34,7 +34,8 @@ struct Snapshot {
   std::shared_ptr<const Triangles> triangles;              ///< 3 × #F, counter-clockwise
   std::shared_ptr<const Points> rest;                      ///< 2 × #V, M
   Points deformed;                                         ///< 2 × #V, M′
-  std::shared_ptr<const std::vector<Edge>> flipped_edges;  ///< edges that the original mesh lacks
+  /// Edges between original vertices that the original mesh lacks, sorted.
+  std::shared_ptr<const std::vector<Edge>> flipped_edges;
   int original_vertices = 0;  ///< vertices with this index or more came from splits
   std::vector<Handle> handles;
   std::optional<Iteration> iteration;  ///< absent before the first update

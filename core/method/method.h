@@ -15,6 +15,12 @@
 
 namespace foldless {
 
+/// What flips and splits are told from when a mesh has been remeshed before.
+struct OriginalMesh {
+  std::shared_ptr<const Triangles> triangles;  ///< 3 × #F
+  int vertices = 0;                            ///< later vertices came from splits
+};
+
 /// What a run starts from: a valid mesh pair, the handles and the energy. Handles name vertices
 /// of `mesh`, no vertex twice.
 struct Problem {
@@ -22,6 +28,7 @@ struct Problem {
   const Density* energy = nullptr;  ///< a row of densities()
   std::vector<Handle> handles;
   Parameters parameters;
+  std::optional<OriginalMesh> original = std::nullopt;  ///< absent: `mesh` itself
 };
 
 /// A run of one method on one problem, as a value that can be stepped, paused for as long as one

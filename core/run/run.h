@@ -1,40 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
+#include "core/mesh/injective.h"
 #include "core/method/method.h"
 #include "core/method/normalisation.h"
+#include "core/run/original_edges.h"
 #include "core/snapshot.h"
 
 namespace foldless {
+
+/// Where a run finds its method by name: find_method, or a table of one's own.
+using MethodLookup = std::function<const MethodRow*(std::string_view)>;
 
 /// A method on a problem in input units: normalises, steps, and turns what it reaches into
 /// snapshots in input units that were proved locally injective with exact predicates.
 /// Not thread-safe: one thread at a time may call it.
 class Run {
  public:
-  /// Throws Error when the method is unknown.
-  explicit Run(const Problem& problem, std::uint64_t generation = 0);
+  /// Throws Error when the method is unknown, or when the problem's mesh is not locally injective
+  /// or of a size that double precision does not hold.
+  explicit Run(const Problem& problem, std::uint64_t generation = 0,
+               const MethodStarter& start = start_method);
 
-  /// One vertex update, its record in input units; see Method::step for cancellation.
+  /// One vertex update, its record in input units; see Method::step for cancellation. With s the
+  /// scale of normalisation(): energies, ‖∇E‖² and ‖P‖² are divided by s², lengths by s; μ, ratios
+  /// and counters are the same in both frames. A mesh that rounding to input units folds is not
+  /// published: its record is returned, but snapshot() stays what it was.
   std::optional<Iteration> step(std::stop_token token);
   /// How the run ended; nothing while it can go on.
-  std::optional<Outcome> outcome() const;
-  /// True when every handle that is not soft is at its target: ‖P‖² ≤ 1e-10 D².
+  std::optional<Outcome> outcome() const { return method_->outcome(); }
+  /// True when in snapshot() every handle that is not soft is at its target: ‖P‖² ≤ 1e-10 D².
   bool is_satisfied() const;
 
   /// Moves the targets, in the order of the problem's handles (input units, 2 × #handles).
   void set_targets(const Points& targets);
   const std::vector<Handle>& handles() const { return handles_; }
 
-  /// The last state that is valid in input units; never null.
+  /// The last state that is valid in input units, with the newest targets; never null.
   std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
+  /// The problem that goes on from snapshot().
+  Problem resumed() const;
   /// The frame that the method works in.
   const Normalisation& normalisation() const { return normalisation_; }
+  /// Where the processor time went so far.
+  StageTimes times() const { return method_->times(); }
+
+ private:
+  Problem normalised(const Problem& problem);
+  void take_connectivity(const MeshPair& mesh);
+  void publish(Points deformed, const std::optional<Iteration>& iteration);
+
+  const Density* energy_;
+  Parameters parameters_;
+  std::vector<Handle> handles_;
+  OriginalMesh original_;
+  OriginalEdges original_edges_;
+  Normalisation normalisation_;
+  double diagonal_;             ///< D, input units
+  InjectivityChecker checker_;  ///< of the triangles of common_
+  bool is_rest_injective_;
+  Snapshot common_;  ///< what every snapshot of one connectivity has in common
+  std::unique_ptr<Method> method_;
+  std::shared_ptr<const Snapshot> snapshot_;
 };
+
+/// A record of the normalised problem in input units; see Run::step.
+Iteration in_input_units(Iteration iteration, const Normalisation& normalisation);
 
 }  // namespace foldless

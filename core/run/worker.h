@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
-#include "core/iteration.h"
 #include "core/method/method.h"
+#include "core/run/channel.h"
+#include "core/run/inbox.h"
+#include "core/run/run.h"
+#include "core/run/timeline.h"
 #include "core/snapshot.h"
 
 namespace foldless {
 
 /// What the worker is doing.
 enum class WorkerState {
-  idle,     ///< nothing loaded, or stopped before the end
+  idle,     ///< nothing loaded, stopped before the end, or ended by an error
   running,  ///< iterating
   paused,   ///< waiting for run() or step()
   finished  ///< the run has an outcome
@@ -29,55 +38,104 @@ struct WorkerStatus {
   std::optional<Outcome> outcome;  ///< when finished
   bool satisfied = false;          ///< every handle that is not soft is at its target
   std::string error;               ///< one sentence when the run could not go on, else empty
+
+  bool operator==(const WorkerStatus&) const = default;
 };
 
-/// One iteration on the timeline. The record is always there; the snapshot is null where it was
-/// let go because the memory cap was reached.
-struct TimelineEntry {
-  Iteration record;
-  std::shared_ptr<const Snapshot> snapshot;
+struct WorkerOptions {
+  std::size_t timeline_bytes = std::size_t{256} << 20;  ///< memory cap of the timeline's snapshots
+  MethodStarter start = start_method;
 };
 
 /// A solver thread with an inbox. All functions return at once and may be called from one other
-/// thread (the window's); the solving itself is never waited for.
+/// thread (the window's); the solving itself is never waited for, and no lock is held meanwhile.
 ///
-/// Contract: a newer message of the same kind replaces an older one that was not yet taken; a
-/// running iteration is cancelled for load, stop and set_targets, noticed between factorizations;
-/// whatever is cancelled, the newest snapshot is a valid mesh. `wake` is called on the solver
-/// thread after something new can be read; it must not block.
+/// Contract: a newer message of the same kind replaces an older one that was not yet taken; all
+/// messages are taken before the next iteration begins. A running iteration is cancelled for load,
+/// stop, set_targets and set_parameters, noticed between factorizations; an iteration that follows
+/// a cancelled one is left to end for new targets and parameters, so that a stream of them cannot
+/// hold up the solver. Whatever is cancelled, the newest snapshot is a valid mesh. `wake` is
+/// called on the solver thread after something new can be read, until the destructor has returned;
+/// it must neither block nor throw.
 class Worker {
  public:
-  explicit Worker(std::function<void()> wake = {});
+  explicit Worker(std::function<void()> wake = {}, WorkerOptions options = {});
   ~Worker();  ///< cancels and joins
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Replaces the problem and returns its generation number; the state (running or paused) stays,
-  /// a finished run begins to run. The first snapshot is the problem's own mesh.
+  /// Replaces the problem and returns its generation number; clears the timeline. What run(),
+  /// pause() and stop() asked for last goes on to hold: a finished run that was not paused begins
+  /// to run. The first snapshot is the problem's own mesh. Targets and parameters that the worker
+  /// has not yet taken up are dropped.
   std::uint64_t load(Problem problem);
-  /// Moves the targets in the order of the problem's handles; a finished run begins to run again.
+  /// Moves the targets in the order of the problem's handles (2 × #handles); a finished run
+  /// begins to run again unless it was paused. The newest snapshot shows them.
   void set_targets(Points targets);
-  /// Same mesh, other energy or parameters.
+  /// Same mesh, other energy or parameters: a new run from where this one is, begun likewise.
   void set_parameters(const Density* energy, Parameters parameters);
   void run();
   void pause();
   /// One iteration more, then pause.
   void step();
-  /// Ends the run where it is: state idle, the snapshot stays.
+  /// Ends the run where it is: state idle, the snapshot stays; run() would go on.
   void stop();
-  /// At most this many iterations a second; nothing: as fast as it goes.
+  /// At most this many iterations a second, > 0; nothing: as fast as it goes. step() does not wait.
   void set_pace(std::optional<double> iterations_per_second);
 
-  /// The newest valid snapshot, or null before the first load.
-  std::shared_ptr<const Snapshot> latest() const;
+  /// The newest valid snapshot, or null before the first load was taken up.
+  std::shared_ptr<const Snapshot> latest() const { return snapshots_.latest(); }
   WorkerStatus status() const;
-  /// The iterations since the last load() or clear_timeline(), complete and in order, from index
-  /// `first` on.
+  /// The iterations begun since the last load() or clear_timeline(), complete and in order, from
+  /// index `first` on.
   std::vector<TimelineEntry> timeline(std::size_t first = 0) const;
   /// Counts the timeline's starts, so that a reader knows that its copy is out of date.
   std::uint64_t timeline_epoch() const;
-  /// Starts the timeline anew: the next iteration is its first. An edit (a drag) begins with it.
+  /// Starts the timeline anew: the next iteration to begin is its first. An edit (a drag) begins
+  /// with it.
   void clear_timeline();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  enum class Cancels { always, once, never };
+
+  template <typename Change>
+  void post(Cancels cancels, const Change& change);
+
+  // On the solver thread.
+  void work(const std::stop_token& stopping);
+  void wait_for_something_to_do(std::unique_lock<std::mutex>& lock,
+                                const std::stop_token& stopping);
+  bool can_iterate() const;
+  template <typename Task>
+  void attempt(const Task& task);
+  void take(Inbox messages);
+  void iterate(const std::stop_token& token, std::uint64_t epoch);
+  void publish_status();
+
+  const std::function<void()> wake_;
+  const WorkerOptions options_;
+  Channel<Snapshot> snapshots_;
+
+  mutable std::mutex mutex_;  ///< guards the members down to the next comment
+  std::condition_variable_any changed_;
+  Inbox inbox_;
+  std::stop_source iteration_stop_;    ///< of the running iteration, or of one that has ended
+  bool last_was_cancelled_ = false;    ///< the iteration before the running one
+  std::uint64_t last_generation_ = 0;  ///< that load() has given out
+  WorkerStatus status_;
+  Timeline timeline_;
+
+  // Of the solver thread alone.
+  std::optional<Run> run_;
+  std::uint64_t generation_ = 0;
+  WorkerMode mode_ = WorkerMode::idle;
+  bool step_ = false;
+  std::string error_;
+  std::optional<Clock::duration> period_;
+  Clock::time_point last_start_;
+
+  std::jthread thread_;  ///< last, so that it is joined before anything else goes
 };
 
 }  // namespace foldless

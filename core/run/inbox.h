@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/method/method.h"
+
+namespace foldless {
+
+/// What the user wants of the worker.
+enum class WorkerMode { idle, paused, running };
+
+/// Messages to the worker that it has not taken up yet, the newest of each kind. They are applied
+/// in the order of the members.
+struct Inbox {
+  struct Load {
+    Problem problem;
+    std::uint64_t generation;
+  };
+  struct Settings {
+    const Density* energy;
+    Parameters parameters;
+  };
+
+  std::optional<Load> load;
+  std::optional<Settings> settings;
+  std::optional<Points> targets;
+  std::optional<WorkerMode> mode;
+  bool step = false;  ///< one iteration in spite of the mode
+  std::optional<std::optional<double>> pace;
+
+  bool is_empty() const { return !load && !settings && !targets && !mode && !step && !pace; }
+};
+
+}  // namespace foldless

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/run/run.h"
+
+#include <string>
+#include <utility>
+
+#include "core/energy/positions.h"
+#include "core/error.h"
+#include "core/method/methods.h"
+#include "core/method/satisfied.h"
+
+namespace foldless {
+namespace {
+
+OriginalMesh original_of(const Problem& problem) {
+  return problem.original.value_or(OriginalMesh{
+      std::make_shared<const Triangles>(problem.mesh.triangles()), problem.mesh.vertex_count()});
+}
+
+}  // namespace
+
+std::unique_ptr<Method> start_method(Problem problem) {
+  const std::string& name = problem.parameters.method;
+  if (const MethodRow* row = find_method(name)) return row->start(std::move(problem));
+  std::string known;
+  for (const MethodRow& row : methods())
+    known += (known.empty() ? "" : ", ") + std::string(row.name);
+  throw Error("there is no method '" + name + "'; choose one of: " + known);
+}
+
+Iteration in_input_units(Iteration iteration, const Normalisation& normalisation) {
+  const double length = 1 / normalisation.scale;
+  const double area = length * length;
+  iteration.distortion_energy *= area;
+  iteration.penalty_energy *= area;
+  iteration.barrier_energy *= area;
+  iteration.energy *= area;
+  // E is s² times what it is in input units, and u is s times: ∇E is s times.
+  iteration.gradient_norm_squared *= area;
+  iteration.handle_error_squared *= area;
+  iteration.step_infinity_norm *= length;
+  return iteration;
+}
+
+Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& start)
+    : energy_(problem.energy),
+      parameters_(problem.parameters),
+      handles_(problem.handles),
+      original_(original_of(problem)),
+      original_edges_(*original_.triangles, original_.vertices),
+      normalisation_(normalisation_for(problem.mesh.rest())),
+      diagonal_(bounding_box_diagonal(problem.mesh.rest())),
+      checker_(problem.mesh.triangles(), problem.mesh.vertex_count()),
+      is_rest_injective_(checker_.is_injective(problem.mesh.rest())) {
+  if (!is_rest_injective_ || !checker_.is_injective(problem.mesh.deformed()))
+    throw Error("the mesh to start from is folded; reset its pose");
+  Problem unit = normalised(problem);
+  common_.generation = generation;
+  common_.revision = unit.mesh.revision();
+  common_.triangles = std::make_shared<const Triangles>(problem.mesh.triangles());
+  common_.rest = std::make_shared<const Points>(problem.mesh.rest());
+  common_.flipped_edges = std::make_shared<const std::vector<Edge>>(
+      original_edges_.flipped_in(problem.mesh.triangles()));
+  common_.original_vertices = original_.vertices;
+  publish(problem.mesh.deformed(), std::nullopt);
+  method_ = start(std::move(unit));
+}
+
+// The mesh is built anew, so that its revision is its own.
+Problem Run::normalised(const Problem& problem) {
+  const MeshPair& mesh = problem.mesh;
+  const Points rest = normalisation_.to_unit_rest(mesh.rest());
+  Points deformed = normalisation_.to_unit(mesh.deformed());
+  if (!checker_.is_injective(deformed)) {
+    // Subtracting the offset rounds; scaling alone does not.
+    normalisation_.offset.setZero();
+    deformed = normalisation_.to_unit(mesh.deformed());
+  }
+  if (!checker_.is_injective(rest) || !checker_.is_injective(deformed))
+    throw Error("the mesh is too large or too small for double precision; scale it");
+  std::vector<Handle> handles = handles_;
+  for (Handle& handle : handles) handle.target = normalisation_.to_unit(handle.target);
+  return {MeshPair(mesh.triangles(), rest, std::move(deformed)), energy_, std::move(handles),
+          parameters_};
+}
+
+std::optional<Iteration> Run::step(std::stop_token token) {
+  std::optional<Iteration> iteration = method_->step(token);
+  if (!iteration) return std::nullopt;
+  iteration = in_input_units(*iteration, normalisation_);
+  const MeshPair& mesh = method_->mesh();
+  if (mesh.revision() != common_.revision) take_connectivity(mesh);
+  Points deformed = normalisation_.from_unit(mesh.deformed());
+  if (is_rest_injective_ && checker_.is_injective(deformed))
+    publish(std::move(deformed), iteration);
+  return iteration;
+}
+
+void Run::take_connectivity(const MeshPair& mesh) {
+  Points rest = normalisation_.from_unit_rest(mesh.rest());
+  checker_ = InjectivityChecker(mesh.triangles(), mesh.vertex_count());
+  is_rest_injective_ = checker_.is_injective(rest);
+  common_.revision = mesh.revision();
+  common_.triangles = std::make_shared<const Triangles>(mesh.triangles());
+  common_.rest = std::make_shared<const Points>(std::move(rest));
+  common_.flipped_edges =
+      std::make_shared<const std::vector<Edge>>(original_edges_.flipped_in(mesh.triangles()));
+}
+
+void Run::publish(Points deformed, const std::optional<Iteration>& iteration) {
+  auto next = std::make_shared<Snapshot>(common_);
+  next->deformed = std::move(deformed);
+  next->handles = handles_;
+  next->iteration = iteration;
+  snapshot_ = std::move(next);
+}
+
+bool Run::is_satisfied() const {
+  const double error = handle_error_squared(positions_of(handles_), snapshot_->deformed);
+  return error <= kSatisfied * diagonal_ * diagonal_;
+}
+
+void Run::set_targets(const Points& targets) {
+  for (std::size_t i = 0; i < handles_.size(); ++i)
+    handles_[i].target = targets.col(static_cast<Eigen::Index>(i));
+  method_->set_targets(normalisation_.to_unit(targets));
+  auto next = std::make_shared<Snapshot>(*snapshot_);
+  next->handles = handles_;
+  snapshot_ = std::move(next);
+}
+
+Problem Run::resumed() const {
+  return {MeshPair(*snapshot_->triangles, *snapshot_->rest, snapshot_->deformed), energy_, handles_,
+          parameters_, original_};
+}
+
+}  // namespace foldless
