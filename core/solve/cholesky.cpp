@@ -12,7 +12,7 @@ namespace foldless {
 namespace {
 
 /// From this many unknowns on the supernodal factorization was measured to be faster.
-constexpr int kSupernodalFrom = 10000;
+constexpr int kSupernodalFrom = 2000;
 
 /// A view of our arrays as a CHOLMOD matrix, lower triangle, nothing copied.
 cholmod_sparse view(int size, const std::vector<int>& start, const std::vector<int>& row,
