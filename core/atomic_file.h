@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace foldless {
+
+/// All bytes of a file. Throws Error when it is missing, a folder or unreadable.
+std::string read_file(const std::filesystem::path& file);
+
+/// Replaces a file as a whole: the bytes go to a temporary file in the same folder, reach the
+/// disk and then take the name, so that whatever happens either the old or the new file is there.
+/// Permissions of a replaced file are kept; a symbolic link is followed; a device or pipe is
+/// written to. Throws Error when that fails, and leaves no temporary file.
+void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace foldless
