@@ -16,8 +16,11 @@
 
 namespace foldless {
 
-/// Where a run finds its method by name: find_method, or a table of one's own.
-using MethodLookup = std::function<const MethodRow*(std::string_view)>;
+/// Starts a method on a problem whose rest diagonal is about 1.
+using MethodStarter = std::function<std::unique_ptr<Method>(Problem problem)>;
+
+/// Starts the method that the problem's parameters name. Throws Error when there is none.
+std::unique_ptr<Method> start_method(Problem problem);
 
 /// A method on a problem in input units: normalises, steps, and turns what it reaches into
 /// snapshots in input units that were proved locally injective with exact predicates.
