@@ -24,6 +24,7 @@ void Worker::post(Cancels cancels, const Change& change) {
   {
     std::lock_guard lock(mutex_);
     change();
+    status_.is_current = false;
     if (cancels == Cancels::always || (cancels == Cancels::once && !last_was_cancelled_))
       iteration_stop_.request_stop();
   }
@@ -214,6 +215,7 @@ void Worker::publish_status() {
   }
   {
     std::lock_guard lock(mutex_);
+    status.is_current = inbox_.is_empty();
     status_ = std::move(status);
   }
   if (wake_) wake_();

@@ -38,6 +38,7 @@ struct WorkerStatus {
   std::optional<Outcome> outcome;  ///< when finished
   bool satisfied = false;          ///< every handle that is not soft is at its target
   std::string error;               ///< one sentence when the run could not go on, else empty
+  bool is_current = true;          ///< false: a message waits that the worker has not taken up
 
   bool operator==(const WorkerStatus&) const = default;
 };
