@@ -66,8 +66,8 @@ void CommandSearch::draw_rows(Editor& editor, const Look& look) {
   if (is_pressed(ImGuiKey_DownArrow)) selected_ = std::min(selected_ + 1, last);
   if (is_pressed(ImGuiKey_UpArrow)) selected_ = std::max(selected_ - 1, 0);
   selected_ = std::min(selected_, last);
-  const Command* chosen = is_pressed(ImGuiKey_Enter) ? found[static_cast<std::size_t>(selected_)]
-                                                     : nullptr;
+  const Command* chosen =
+      is_pressed(ImGuiKey_Enter) ? found[static_cast<std::size_t>(selected_)] : nullptr;
   for (int row = 0; row <= last; ++row) {
     const Command& command = *found[static_cast<std::size_t>(row)];
     ImGui::BeginDisabled(!command.is_enabled(editor));

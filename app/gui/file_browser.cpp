@@ -169,13 +169,14 @@ void FileBrowser::draw_places(const Look& look) {
 
 void FileBrowser::draw_entries(const Look& look) {
   if (shown_.empty())
-    dim_text(listing_.entries.empty() ? "Nothing here that Foldless can open."
-                                      : "Nothing here matches.",
-             look);
+    dim_text(
+        listing_.entries.empty() ? "Nothing here that Foldless can open." : "Nothing here matches.",
+        look);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(shown_.size()));
-  if (scrolls_to_selection_) clipper.ForceDisplayRangeByIndices(static_cast<int>(selected_),
-                                                                static_cast<int>(selected_) + 1);
+  if (scrolls_to_selection_)
+    clipper.ForceDisplayRangeByIndices(static_cast<int>(selected_),
+                                       static_cast<int>(selected_) + 1);
   while (clipper.Step())
     for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
       if (static_cast<std::size_t>(row) < shown_.size())
@@ -188,14 +189,15 @@ void FileBrowser::draw_row(std::size_t row, const Look& look) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushID(static_cast<int>(row));
-  const bool clicked = ImGui::Selectable("##row", row == selected_,
-                                         ImGuiSelectableFlags_AllowDoubleClick |
-                                             ImGuiSelectableFlags_DontClosePopups);
+  const bool clicked = ImGui::Selectable(
+      "##row", row == selected_,
+      ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups);
   ImGui::PopID();
   if (scrolls_to_selection_ && row == selected_) ImGui::SetScrollHereY();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float text_x = corner.x + look.px(4);
-  list.AddText({text_x, corner.y}, packed(entry.is_folder ? look.palette->accent : look.palette->text),
+  list.AddText({text_x, corner.y},
+               packed(entry.is_folder ? look.palette->accent : look.palette->text),
                (entry.is_folder ? entry.name + "/" : entry.name).c_str());
   if (!entry.is_folder) {
     const std::string size = words_for_bytes(entry.bytes);
@@ -205,8 +207,7 @@ void FileBrowser::draw_row(std::size_t row, const Look& look) {
   if (!clicked) return;
   selected_ = row;
   if (saves() && !entry.is_folder) text_ = entry.name;
-  if (ImGui::IsMouseDoubleClicked(0) || entry.is_folder)
-    accept_path(listing_.folder / entry.name);
+  if (ImGui::IsMouseDoubleClicked(0) || entry.is_folder) accept_path(listing_.folder / entry.name);
 }
 
 void FileBrowser::draw_footer(const Look& look) {
@@ -242,7 +243,8 @@ void FileBrowser::draw_footer(const Look& look) {
 
 void FileBrowser::draw_replace_question(const Look& look) {
   ImGui::AlignTextToFramePadding();
-  const std::string question = "“" + replacing_.filename().string() + "” is there already. Replace it?";
+  const std::string question =
+      "“" + replacing_.filename().string() + "” is there already. Replace it?";
   ImGui::TextUnformatted(question.c_str());
   if (main_button("Replace", look)) {
     finish(replacing_);

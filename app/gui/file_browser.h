@@ -51,10 +51,10 @@ class FileBrowser {
 
   FileRequest request_;
   DirectoryListing listing_;
-  std::vector<std::size_t> shown_;  ///< indices of the entries that pass the filter
-  std::size_t selected_ = 0;        ///< index into shown_
-  std::string text_;                ///< filter, path or name of the file to save
-  std::string message_;             ///< why the last choice was refused
+  std::vector<std::size_t> shown_;   ///< indices of the entries that pass the filter
+  std::size_t selected_ = 0;         ///< index into shown_
+  std::string text_;                 ///< filter, path or name of the file to save
+  std::string message_;              ///< why the last choice was refused
   std::filesystem::path replacing_;  ///< existing file that waits for a yes
   bool is_open_ = false;
   bool opens_now_ = false;

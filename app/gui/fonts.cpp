@@ -16,10 +16,10 @@ constexpr std::array<ImWchar, 19> kGlyphs{0x20,   0xFF,   0x370,  0x3FF,  0x2000
 constexpr std::array<ImWchar, 7> kBorrowedGlyphs{0x2207, 0x2207, 0x25A0, 0x25FF, 0x2700, 0x27BF, 0};
 
 std::optional<std::filesystem::path> first_existing(std::initializer_list<const char*> names) {
-  for (const char* folder : {"/usr/share/fonts/opentype/inter", "/usr/share/fonts/truetype/inter",
-                             "/usr/share/fonts/inter", "/usr/local/share/fonts/inter",
-                             "/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF",
-                             "/usr/share/fonts/dejavu"}) {
+  for (const char* folder :
+       {"/usr/share/fonts/opentype/inter", "/usr/share/fonts/truetype/inter",
+        "/usr/share/fonts/inter", "/usr/local/share/fonts/inter",
+        "/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/TTF", "/usr/share/fonts/dejavu"}) {
     for (const char* name : names) {
       std::error_code ignored;
       const auto path = std::filesystem::path(folder) / name;
@@ -49,9 +49,9 @@ ImFont* add_font(const std::optional<std::filesystem::path>& file, float pixels)
 }  // namespace
 
 std::optional<std::filesystem::path> find_interface_font(bool semi_bold) {
-  return semi_bold ? first_existing({"Inter-SemiBold.otf", "Inter-SemiBold.ttf",
-                                     "DejaVuSans-Bold.ttf"})
-                   : first_existing({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf"});
+  return semi_bold
+             ? first_existing({"Inter-SemiBold.otf", "Inter-SemiBold.ttf", "DejaVuSans-Bold.ttf"})
+             : first_existing({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf"});
 }
 
 Fonts build_fonts(float scale) {

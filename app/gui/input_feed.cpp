@@ -45,16 +45,25 @@ void release_everything(ImGuiIO& io) {
 
 void InputFeed::map_keys(ImGuiIO& io) {
   for (int& index : io.KeyMap) index = -1;
-  for (const auto& [imgui, key] : std::initializer_list<std::pair<ImGuiKey_, Key>>{
-           {ImGuiKey_Tab, Key::tab},         {ImGuiKey_LeftArrow, Key::left},
-           {ImGuiKey_RightArrow, Key::right}, {ImGuiKey_UpArrow, Key::up},
-           {ImGuiKey_DownArrow, Key::down},  {ImGuiKey_Home, Key::home},
-           {ImGuiKey_End, Key::end},         {ImGuiKey_Delete, Key::del},
-           {ImGuiKey_Backspace, Key::backspace}, {ImGuiKey_Space, Key::space},
-           {ImGuiKey_Enter, Key::enter},     {ImGuiKey_Escape, Key::escape},
-           {ImGuiKey_A, Key::a},             {ImGuiKey_C, Key::c},
-           {ImGuiKey_V, Key::v},             {ImGuiKey_X, Key::x},
-           {ImGuiKey_Y, Key::y},             {ImGuiKey_Z, Key::z}})
+  for (const auto& [imgui, key] :
+       std::initializer_list<std::pair<ImGuiKey_, Key>>{{ImGuiKey_Tab, Key::tab},
+                                                        {ImGuiKey_LeftArrow, Key::left},
+                                                        {ImGuiKey_RightArrow, Key::right},
+                                                        {ImGuiKey_UpArrow, Key::up},
+                                                        {ImGuiKey_DownArrow, Key::down},
+                                                        {ImGuiKey_Home, Key::home},
+                                                        {ImGuiKey_End, Key::end},
+                                                        {ImGuiKey_Delete, Key::del},
+                                                        {ImGuiKey_Backspace, Key::backspace},
+                                                        {ImGuiKey_Space, Key::space},
+                                                        {ImGuiKey_Enter, Key::enter},
+                                                        {ImGuiKey_Escape, Key::escape},
+                                                        {ImGuiKey_A, Key::a},
+                                                        {ImGuiKey_C, Key::c},
+                                                        {ImGuiKey_V, Key::v},
+                                                        {ImGuiKey_X, Key::x},
+                                                        {ImGuiKey_Y, Key::y},
+                                                        {ImGuiKey_Z, Key::z}})
     io.KeyMap[imgui] = static_cast<int>(key);
 }
 
@@ -100,7 +109,8 @@ void InputFeed::apply(const InputEvent& event, ImGuiIO& io) {
           io.MouseDown[static_cast<int>(e.button)] = true;
         if constexpr (std::is_same_v<E, PointerReleased>)
           io.MouseDown[static_cast<int>(e.button)] = false;
-        if constexpr (std::is_same_v<E, WheelTurned>) io.MouseWheel += static_cast<float>(e.notches);
+        if constexpr (std::is_same_v<E, WheelTurned>)
+          io.MouseWheel += static_cast<float>(e.notches);
         if constexpr (std::is_same_v<E, KeyPressed>) io.KeysDown[static_cast<int>(e.key)] = true;
         if constexpr (std::is_same_v<E, KeyReleased>) io.KeysDown[static_cast<int>(e.key)] = false;
         if constexpr (std::is_same_v<E, FocusLost>) release_everything(io);

@@ -61,8 +61,7 @@ void draw_decades(const Plot& plot, const Axes& axes, const Palette& palette) {
     const float y = axes.y(std::pow(10.0, e));
     list.AddLine({axes.min.x, y}, {axes.max.x, y}, packed(palette.border, 0.7F));
     const std::string label = power_of_ten(e);
-    const float width =
-        plot.font->CalcTextSizeA(line_height, FLT_MAX, 0, label.c_str(), nullptr).x;
+    const float width = plot.font->CalcTextSizeA(line_height, FLT_MAX, 0, label.c_str(), nullptr).x;
     list.AddText(plot.font, line_height, {axes.min.x - width - 4, y - line_height / 2},
                  packed(palette.dim), label.c_str());
   }
@@ -73,7 +72,8 @@ void draw_heading(const Plot& plot, const ImVec2& corner, const Palette& palette
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddText(plot.font, plot.font->FontSize, corner, packed(palette.dim), plot.title);
   if (plot.values.empty()) return;
-  const std::size_t index = std::min(shown.value_or(plot.values.size() - 1), plot.values.size() - 1);
+  const std::size_t index =
+      std::min(shown.value_or(plot.values.size() - 1), plot.values.size() - 1);
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.4g", plot.values[index]);
   const float width =

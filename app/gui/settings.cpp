@@ -14,8 +14,7 @@ constexpr std::array kThemeNames{"dark", "light", "contrast"};  // in the order 
 
 Theme theme_named(const std::string& name) {
   const auto found = std::ranges::find(kThemeNames, name);
-  return found == kThemeNames.end() ? Theme::dark
-                                    : static_cast<Theme>(found - kThemeNames.begin());
+  return found == kThemeNames.end() ? Theme::dark : static_cast<Theme>(found - kThemeNames.begin());
 }
 
 }  // namespace

@@ -26,11 +26,11 @@ struct UiState {
   bool shows_cheat_sheet = false;
   bool shows_about = false;
   bool wants_to_quit = false;
-  std::filesystem::path last_folder;     ///< where the last file was opened or saved
-  Modifiers modifiers;                   ///< held now
-  std::optional<Vec2> pointer;           ///< on the canvas, framebuffer pixels
-  std::optional<HeatRange> heat_range;   ///< of the heat map on screen
-  std::optional<double> hovered_heat;    ///< its value under the pointer
+  std::filesystem::path last_folder;    ///< where the last file was opened or saved
+  Modifiers modifiers;                  ///< held now
+  std::optional<Vec2> pointer;          ///< on the canvas, framebuffer pixels
+  std::optional<HeatRange> heat_range;  ///< of the heat map on screen
+  std::optional<double> hovered_heat;   ///< its value under the pointer
 };
 
 }  // namespace foldless

@@ -24,9 +24,12 @@ struct IconBrush {
   void bar(float x0, float x1) const { list.AddRectFilled(at(x0, 0.1F), at(x1, 0.9F), colour); }
 };
 
-void draw_folder(const IconBrush& b) {
-  b.list.AddRectFilled(b.at(0.04F, 0.18F), b.at(0.46F, 0.5F), b.colour, b.size * 0.1F);
-  b.list.AddRectFilled(b.at(0.04F, 0.3F), b.at(0.96F, 0.85F), b.colour, b.size * 0.1F);
+/// An arc that goes back on itself, with an arrow head.
+void draw_reset(const IconBrush& b) {
+  const float thickness = std::max(1.5F, b.size * 0.13F);
+  b.list.PathArcTo(b.at(0.5F, 0.54F), b.size * 0.36F, -2.4F, 2.6F);
+  b.list.PathStroke(b.colour, 0, thickness);
+  b.list.AddTriangleFilled(b.at(0.02F, 0.42F), b.at(0.46F, 0.4F), b.at(0.14F, 0.06F), b.colour);
 }
 
 void draw_up(const IconBrush& b) {
@@ -58,8 +61,8 @@ void draw_icon(const IconBrush& b, Icon icon) {
       b.right_triangle(0.12F, 0.74F);
       b.bar(0.76F, 0.9F);
       break;
-    case Icon::folder: draw_folder(b); break;
     case Icon::up: draw_up(b); break;
+    case Icon::reset: draw_reset(b); break;
   }
 }
 

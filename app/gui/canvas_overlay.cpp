@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/canvas_overlay.h"
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "app/editor/picking.h"
+#include "app/gui/widgets.h"
+#include "core/mesh/triangle.h"
+
+namespace foldless {
+namespace {
+
+/// Draws on the canvas, under all panels, in its pixels.
+struct CanvasBrush {
+  ImDrawList& list;
+  const Rectangle& canvas;
+
+  ImVec2 at(const Vec2& pixel) const {
+    return {canvas.x + static_cast<float>(pixel.x()), canvas.y + static_cast<float>(pixel.y())};
+  }
+};
+
+/// Black on white can be seen on every colour.
+void draw_band(const PixelBox& band, const CanvasBrush& brush, const Look& look) {
+  const ImVec2 low = brush.at(band.min), high = brush.at(band.max);
+  brush.list.AddRectFilled(low, high, packed(look.palette->accent, 0.12F));
+  brush.list.AddRect(low, high, IM_COL32_WHITE, 0, 0, look.px(3));
+  brush.list.AddRect(low, high, IM_COL32_BLACK, 0, 0, look.px(1));
+}
+
+/// Text on a plate of its own, readable over a checkerboard; `middle` is its centre.
+void draw_plate(const std::string& words, const ImVec2& middle, const CanvasBrush& brush,
+                const Look& look) {
+  ImFont* font = look.fonts.small;
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, words.c_str(), nullptr);
+  const ImVec2 corner{middle.x - size.x / 2, middle.y - size.y / 2};
+  const float margin = look.px(4);
+  brush.list.AddRectFilled({corner.x - margin, corner.y - look.px(2)},
+                           {corner.x + size.x + margin, corner.y + size.y + look.px(2)},
+                           packed(look.palette->popup, 0.92F), look.px(4));
+  brush.list.AddText(font, font->FontSize, corner, packed(look.palette->text), words.c_str());
+}
+
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+void draw_distances(const Editor& editor, const CanvasBrush& brush, const Look& look) {
+  for (const HandleView& handle : editor.handle_views()) {
+    if (handle.is_at_target) continue;
+    const Vec2 target = editor.canvas().to_pixel(handle.target);
+    const Vec2 position = editor.canvas().to_pixel(handle.position);
+    if ((target - position).norm() < 12 * editor.canvas().ui_scale) continue;
+    const ImVec2 place = brush.at(target);
+    draw_plate(short_number(handle.residual), {place.x, place.y - look.px(20)}, brush, look);
+  }
+}
+
+Vec2 centroid(const Snapshot& snapshot, int triangle) {
+  const Eigen::Vector3i corners = snapshot.triangles->col(triangle);
+  return (snapshot.deformed.col(corners[0]) + snapshot.deformed.col(corners[1]) +
+          snapshot.deformed.col(corners[2])) /
+         3;
+}
+
+double heat_of(const Snapshot& snapshot, HeatMeasure measure, int triangle) {
+  const Vec2 sigma = signed_singular_values(
+      deformation_gradient(*snapshot.rest, snapshot.deformed, snapshot.triangles->col(triangle)));
+  return measure == HeatMeasure::conformal ? sigma[0] / sigma[1] : sigma[0] * sigma[1];
+}
+
+/// Marks the largest value and tells the one under the pointer.
+void draw_heat_notes(const Editor& editor, const PanelContext& context, const CanvasBrush& brush) {
+  UiState& state = context.state;
+  state.hovered_heat.reset();
+  if (!state.heat_range) return;
+  const Snapshot& snapshot = *editor.shown();
+  if (state.pointer) {
+    const auto under = triangle_at(snapshot, editor.canvas().to_world(*state.pointer));
+    if (under) state.hovered_heat = heat_of(snapshot, state.heat_range->measure, *under);
+  }
+  if (state.heat_range->triangle_at_max >= snapshot.triangles->cols()) return;
+  const Look& look = context.look;
+  const ImVec2 place =
+      brush.at(editor.canvas().to_pixel(centroid(snapshot, state.heat_range->triangle_at_max)));
+  brush.list.AddCircle(place, look.px(9), IM_COL32_BLACK, 0, look.px(3.4F));
+  brush.list.AddCircle(place, look.px(9), IM_COL32_WHITE, 0, look.px(1.6F));
+  draw_plate("max " + short_number(state.heat_range->max), {place.x, place.y + look.px(22)}, brush,
+             look);
+}
+
+void draw_sample_buttons(Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
+  const auto samples = context.state.samples;
+  if (!ImGui::BeginTable("samples", 2)) return;
+  for (const Sample& sample : samples) {
+    ImGui::TableNextColumn();
+    if (ImGui::Button(sample.title.c_str(), {-1, 0})) editor.open(sample.path);
+    tooltip(sample.description, look);
+  }
+  ImGui::EndTable();
+}
+
+/// The empty screen: nothing is open, everything is one click away.
+void draw_invitation(Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
+  const Rectangle& canvas = context.layout.canvas;
+  ImGui::SetNextWindowPos({canvas.x + canvas.width / 2, canvas.y + canvas.height / 2},
+                          ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({std::min(look.px(430), canvas.width * 0.94F), 0});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4{0, 0, 0, 0});
+  if (ImGui::Begin("##invitation", nullptr,
+                   ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                       ImGuiWindowFlags_NoBringToFrontOnFocus)) {
+    ImGui::PushFont(look.fonts.title);
+    ImGui::TextUnformatted("Bend anything. Nothing folds.");
+    ImGui::PopFont();
+    dim_text("Drop a scene or a mesh here, open one, or begin with a sample.", look);
+    ImGui::Spacing();
+    if (main_button("Open…", look)) editor.run_command("file.open");
+    ImGui::Spacing();
+    draw_sample_buttons(editor, context);
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
+  if (!editor.shown()) return draw_invitation(editor, context);
+  const Rectangle& canvas = context.layout.canvas;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const CanvasBrush brush{list, canvas};
+  list.PushClipRect({canvas.x, canvas.y}, {canvas.x + canvas.width, canvas.y + canvas.height});
+  draw_heat_notes(editor, context, brush);
+  if (editor.shown_view().layers.handles) draw_distances(editor, brush, context.look);
+  if (const auto band = editor.band()) draw_band(*band, brush, context.look);
+  list.PopClipRect();
+}
+
+}  // namespace foldless

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/gui/panels.h"
+
+namespace foldless {
+
+/// What lies on the canvas and is no mesh: selection band, distances to targets, the place of the
+/// largest distortion, and an invitation while nothing is open.
+void draw_canvas_overlay(Editor& editor, const PanelContext& context);
+
+}  // namespace foldless

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/canvas_picture.h"
+
+#include <array>
+#include <cstdio>
+
+#include "core/error.h"
+#include "render/render_target.h"
+
+namespace foldless {
+namespace {
+
+std::string number_words(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.17g", value);
+  return text.data();
+}
+
+}  // namespace
+
+SceneView scene_view(const Editor& editor, int x, int y) {
+  const Canvas& canvas = editor.canvas();
+  const auto& selection = editor.selection();
+  return {{x, y, canvas.width, canvas.height},
+          canvas.camera,
+          {selection.begin(), selection.end()},
+          editor.hovered()};
+}
+
+Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureOptions& options) {
+  if (!editor.shown()) throw Error("There is no mesh to make a picture of: open one first.");
+  SceneView view = scene_view(editor, 0, 0);
+  view.viewport.width *= options.factor;
+  view.viewport.height *= options.factor;
+  view.camera.pixels_per_unit *= options.factor;
+  view.selected.clear();
+  view.hovered.reset();
+  ViewOptions style = editor.shown_view();
+  style.layers = options.layers;
+  style.ui_scale *= options.factor;
+  if (options.is_transparent) style.background = Background::transparent;
+  RenderTarget target(view.viewport.width, view.viewport.height);
+  target.bind();
+  renderer.draw(*editor.shown(), view, style);
+  return target.read();
+}
+
+ImageTexts picture_texts(const Editor& editor) {
+  const Document& document = editor.document();
+  ImageTexts texts{{"Software", "Foldless"},
+                   {"Scene", editor.path().empty() ? document.name : editor.path().string()},
+                   {"Method", document.parameters.method},
+                   {"Distortion", std::string(document.energy->name)}};
+  if (const auto snapshot = editor.shown(); snapshot && snapshot->iteration) {
+    texts["Iteration"] = std::to_string(snapshot->iteration->updates);
+    texts["Energy"] = number_words(snapshot->iteration->energy);
+  }
+  return texts;
+}
+
+std::filesystem::path numbered_picture(const std::filesystem::path& folder,
+                                       const std::string& name) {
+  std::filesystem::path path;
+  std::error_code ignored;
+  for (int number = 1; number == 1 || std::filesystem::exists(path, ignored); ++number) {
+    std::array<char, 16> suffix{};
+    std::snprintf(suffix.data(), suffix.size(), "-%04d.png", number);
+    path = folder / (name + suffix.data());
+  }
+  return path;
+}
+
+}  // namespace foldless

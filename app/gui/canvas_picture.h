@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "app/editor/editor.h"
+#include "render/image.h"
+#include "render/scene_renderer.h"
+
+namespace foldless {
+
+/// How the canvas is written to a picture.
+struct PictureOptions {
+  int factor = 1;  ///< pixels of the picture a pixel of the canvas: 1, 2 or 4
+  bool is_transparent = false;
+  Layers layers;
+};
+
+/// The canvas as the user sees it, drawn anew at `factor` times its size. Needs the renderer's
+/// context; leaves framebuffer 0's owner to bind its framebuffer again. Throws Error when the
+/// graphics card refuses a picture of this size.
+Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureOptions& options);
+
+/// What a picture says about itself in its text chunks: scene, method, iteration, energy.
+ImageTexts picture_texts(const Editor& editor);
+
+/// The first of `NAME-0001.png`, `NAME-0002.png`, … in `folder` that is not there yet.
+std::filesystem::path numbered_picture(const std::filesystem::path& folder,
+                                       const std::string& name);
+
+/// From where the editor looks, in a viewport of the canvas's size at (x, y) from the lower left.
+SceneView scene_view(const Editor& editor, int x, int y);
+
+}  // namespace foldless

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/editor/commands.h"
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+namespace {
+
+struct Gesture {
+  const char* input;
+  const char* effect;
+};
+
+constexpr std::array<Gesture, 9> kGestures{{
+    {"Click", "Place a handle on the mesh"},
+    {"Drag", "Place and bend in one go"},
+    {"Drag a handle", "Bend"},
+    {"Shift+click", "Add to the selection"},
+    {"Drag on empty", "Select in a box"},
+    {"Wheel", "Zoom about the pointer"},
+    {"Middle drag", "Move the view"},
+    {"Space+drag", "Move the view"},
+    {"Ctrl+click a slider", "Type a number"},
+}};
+
+void heading(const char* words, const Look& look) {
+  ImGui::PushFont(look.fonts.bold);
+  ImGui::TextColored(look.palette->accent, "%s", words);
+  ImGui::PopFont();
+}
+
+void draw_row(const std::string& keys, const std::string& effect, const Look& look) {
+  const float start = ImGui::GetCursorPosX();
+  key_cap(keys, look);
+  ImGui::SameLine(start + look.px(124));
+  ImGui::TextUnformatted(effect.c_str());
+}
+
+void draw_gestures(const Look& look) {
+  heading("Mouse", look);
+  for (const Gesture& gesture : kGestures) draw_row(gesture.input, gesture.effect, look);
+}
+
+void draw_menu(const char* menu, const Look& look) {
+  ImGui::Spacing();
+  heading(menu, look);
+  for (const Command& command : commands())
+    if (command.menu == menu && !command.shortcuts.empty())
+      draw_row(shortcut_words(command), std::string(command.title), look);
+}
+
+}  // namespace
+
+void draw_cheat_sheet(Editor&, const PanelContext& context) {
+  UiState& state = context.state;
+  const Look& look = context.look;
+  const char* id = "##cheat sheet";
+  if (state.shows_cheat_sheet && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+  centre_next_window({960, 580}, look);
+  if (!ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav)) {
+    state.shows_cheat_sheet = false;
+    return;
+  }
+  const int f1 = static_cast<int>(Key::f1);
+  if (is_pressed(ImGuiKey_Escape) ||
+      (ImGui::IsKeyPressed(f1, false) && !ImGui::IsWindowAppearing())) {
+    state.shows_cheat_sheet = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::PushFont(look.fonts.title);
+  ImGui::TextUnformatted("Keys and mouse");
+  ImGui::PopFont();
+  const int columns = ImGui::GetContentRegionAvail().x > look.px(840) ? 3 : 2;
+  if (ImGui::BeginTable("columns", columns)) {
+    ImGui::TableNextColumn();
+    draw_gestures(look);
+    draw_menu("Help", look);
+    ImGui::TableNextColumn();
+    draw_menu("File", look);
+    draw_menu("Edit", look);
+    ImGui::TableNextColumn();
+    draw_menu("Solve", look);
+    draw_menu("View", look);
+    ImGui::EndTable();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace foldless

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+namespace {
+
+constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                                     ImGuiWindowFlags_AlwaysAutoResize;
+
+void heading(const char* words, const Look& look) {
+  ImGui::PushFont(look.fonts.title);
+  ImGui::TextUnformatted(words);
+  ImGui::PopFont();
+}
+
+void place_in_middle() {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+}
+
+}  // namespace
+
+void draw_unsaved_question(Editor& editor, const PanelContext& context) {
+  const char* id = "##unsaved";
+  const bool is_asked = editor.question() != nullptr && !context.state.browser.is_open();
+  if (is_asked && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+  place_in_middle();
+  if (!ImGui::BeginPopupModal(id, nullptr, kDialog)) return;
+  if (!is_asked) {
+    ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return;
+  }
+  const Look& look = context.look;
+  heading("Save the changes?", look);
+  const std::string name =
+      editor.path().empty() ? "This scene has never been saved." : editor.path().string();
+  dim_text(name, look);
+  ImGui::Spacing();
+  if (main_button("Save", look) || is_pressed(ImGuiKey_Enter)) editor.answer(Answer::save);
+  ImGui::SameLine();
+  if (ImGui::Button("Discard the changes")) editor.answer(Answer::discard);
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) editor.answer(Answer::cancel);
+  ImGui::EndPopup();
+}
+
+void draw_about(const PanelContext& context) {
+  const char* id = "##about";
+  if (context.state.shows_about && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+  place_in_middle();
+  if (!ImGui::BeginPopupModal(id, nullptr, kDialog)) return;
+  const Look& look = context.look;
+  heading("Foldless", look);
+  ImGui::PushTextWrapPos(look.px(400));
+  ImGui::TextUnformatted(
+      "Deforms planar triangle meshes without a fold: every mesh on screen and "
+      "in every file is proved to be locally injective.");
+  ImGui::Spacing();
+  dim_text(
+      "An implementation of “Remeshing-assisted Optimization for Locally Injective "
+      "Mappings” by Yao Jin, Jin Huang and Ruofeng Tong, SGP 2014.",
+      look);
+  dim_text("Free software under the GNU General Public License, version 3 or later.", look);
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  if (main_button("Close", look) || is_pressed(ImGuiKey_Escape) || is_pressed(ImGuiKey_Enter)) {
+    context.state.shows_about = false;
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void draw_dialogs(Editor& editor, const PanelContext& context) {
+  UiState& state = context.state;
+  draw_unsaved_question(editor, context);
+  state.exporting.draw(editor, state, context.look);
+  state.browser.draw(context.look);
+  state.search.draw(editor, context.look);
+  draw_cheat_sheet(editor, context);
+  draw_about(context);
+}
+
+}  // namespace foldless

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/export_dialog.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "app/gui/requests.h"
+#include "app/gui/ui_state.h"
+#include "app/gui/widgets.h"
+#include "core/error.h"
+#include "core/mesh/mesh_io.h"
+
+namespace foldless {
+namespace {
+
+/// One format of the dialog.
+struct Format {
+  const char* title;
+  std::string_view extension;
+  const char* words;
+};
+
+constexpr std::array<Format, 4> kFormats{{
+    {"PNG picture", ".png", "The canvas as you see it. Scene, iteration and energy go along."},
+    {"OBJ mesh", ".obj", "The deformed mesh; the rest positions are its texture coordinates."},
+    {"OFF mesh", ".off", "The deformed mesh, positions and triangles alone."},
+    {"PLY mesh", ".ply", "The deformed mesh, positions and triangles alone."},
+}};
+
+}  // namespace
+
+void ExportDialog::open(const Editor& editor) {
+  opens_now_ = true;
+  job_.picture.layers = editor.shown_view().layers;
+}
+
+void ExportDialog::repeat(const Editor& editor) {
+  if (!last_) return open(editor);
+  ordered_ = last_;
+}
+
+std::optional<ExportJob> ExportDialog::take_order() { return std::exchange(ordered_, {}); }
+
+void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
+  if (std::exchange(opens_now_, false)) ImGui::OpenPopup("##export");
+  centre_next_window({460, 350}, look);
+  if (!ImGui::BeginPopupModal("##export", nullptr,
+                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav))
+    return;
+  ImGui::PushFont(look.fonts.title);
+  ImGui::TextUnformatted("Export");
+  ImGui::PopFont();
+  ImGui::BeginChild("options", {0, -ImGui::GetFrameHeightWithSpacing()});
+  draw_options(editor, look);
+  ImGui::EndChild();
+  if (main_button("Choose a file…", look) || is_pressed(ImGuiKey_Enter)) {
+    ImGui::CloseCurrentPopup();
+    ask_for_file(editor, state);
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+void ExportDialog::draw_options(const Editor& editor, const Look& look) {
+  const auto format = static_cast<std::size_t>(format_);
+  for (std::size_t i = 0; i < kFormats.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    ImGui::RadioButton(kFormats[i].title, &format_, static_cast<int>(i));
+  }
+  ImGui::Spacing();
+  ImGui::PushTextWrapPos(0);
+  dim_text(kFormats[format].words, look);
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  if (format_ == 0) draw_picture_options(editor, look);
+}
+
+void ExportDialog::draw_picture_options(const Editor& editor, const Look& look) {
+  const Canvas& canvas = editor.canvas();
+  for (const int factor : {1, 2, 4}) {
+    if (factor > 1) ImGui::SameLine();
+    const std::string label = "×" + std::to_string(factor) + "  " +
+                              std::to_string(canvas.width * factor) + " × " +
+                              std::to_string(canvas.height * factor);
+    if (ImGui::RadioButton(label.c_str(), job_.picture.factor == factor))
+      job_.picture.factor = factor;
+  }
+  ImGui::Checkbox("Transparent background", &job_.picture.is_transparent);
+  ImGui::Spacing();
+  dim_text("Layers", look);
+  if (!ImGui::BeginTable("layers", 2)) return;
+  for (const LayerRow& row : kLayerRows) {
+    ImGui::TableNextColumn();
+    ImGui::Checkbox(row.title.data(), &(job_.picture.layers.*row.shown));
+  }
+  ImGui::EndTable();
+}
+
+void ExportDialog::ask_for_file(Editor& editor, UiState& state) {
+  FileRequest request;
+  const std::string extension(kFormats[static_cast<std::size_t>(format_)].extension);
+  request.purpose = FileRequest::Purpose::save;
+  request.title = "Export";
+  request.extensions = {extension};
+  request.start = starting_folder(editor, state) / (suggested_name(editor) + extension);
+  request.chosen = [this, &state](const std::filesystem::path& path) {
+    state.last_folder = path.parent_path();
+    job_.path = path;
+    last_ = ordered_ = job_;
+  };
+  state.browser.ask(std::move(request));
+}
+
+void export_mesh(const Editor& editor, const std::filesystem::path& path) {
+  const auto shown = editor.shown();
+  if (!shown) throw Error("There is no mesh to export: open one first.");
+  write_mesh(path, *shown->triangles, shown->deformed, shown->rest.get());
+}
+
+}  // namespace foldless

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/editor/editor.h"
+#include "app/gui/canvas_picture.h"
+#include "app/gui/look.h"
+
+namespace foldless {
+
+struct UiState;
+
+/// What the user chose to export: a picture, or the mesh.
+struct ExportJob {
+  std::filesystem::path path;  ///< its extension says which format
+  PictureOptions picture;      ///< for `.png`
+
+  bool is_picture() const { return path.extension() == ".png"; }
+};
+
+/// Ctrl+E: asks for the format and its options, then for a file. The job is taken by whoever can
+/// carry it out.
+class ExportDialog {
+ public:
+  void open(const Editor& editor);
+  /// The last export once more, or the dialog when there was none.
+  void repeat(const Editor& editor);
+  void draw(Editor& editor, UiState& state, const Look& look);
+
+  /// Asks for a job to be done, as F12 does without a dialog.
+  void order(ExportJob job) { ordered_ = std::move(job); }
+  std::optional<ExportJob> take_order();
+
+ private:
+  void draw_picture_options(const Editor& editor, const Look& look);
+  void draw_options(const Editor& editor, const Look& look);
+  void ask_for_file(Editor& editor, UiState& state);
+
+  int format_ = 0;  ///< row of the formats
+  ExportJob job_;
+  std::optional<ExportJob> last_;
+  std::optional<ExportJob> ordered_;
+  bool opens_now_ = false;
+};
+
+/// Writes the mesh on screen; `.obj` carries the rest positions as `vt`. Throws Error when it
+/// cannot be written.
+void export_mesh(const Editor& editor, const std::filesystem::path& path);
+
+}  // namespace foldless

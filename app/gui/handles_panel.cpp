@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cstdio>
+#include <set>
+#include <string>
+
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+namespace {
+
+std::string residual_words(const HandleView& handle) {
+  if (handle.is_at_target) return "at target";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g away", handle.residual);
+  return text.data();
+}
+
+/// A handle's picture, as on the canvas: circles are dragged, squares are pinned.
+void draw_kind(HandleKind kind, const ImVec2& centre, const Look& look, bool is_at_target) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float r = look.px(4);
+  const ImU32 colour = packed(is_at_target ? look.palette->good : look.palette->warning);
+  switch (kind) {
+    case HandleKind::drag: list.AddCircleFilled(centre, r, colour); break;
+    case HandleKind::pin:
+      list.AddRectFilled({centre.x - r, centre.y - r}, {centre.x + r, centre.y + r}, colour);
+      break;
+    case HandleKind::soft: list.AddCircle(centre, r, colour, 0, look.px(1.6F)); break;
+  }
+}
+
+void draw_row(const HandleView& handle, Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::PushID(handle.id);
+  const bool clicked = ImGui::Selectable("##handle", handle.is_selected);
+  if (ImGui::IsItemHovered()) editor.set_hovered(handle.id);
+  ImGui::PopID();
+  const float line = ImGui::GetTextLineHeight();
+  draw_kind(handle.kind, {corner.x + look.px(8), corner.y + line / 2}, look, handle.is_at_target);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string name = "Vertex " + std::to_string(handle.vertex);
+  list.AddText({corner.x + look.px(20), corner.y}, packed(look.palette->text), name.c_str());
+  const std::string residual = residual_words(handle);
+  const float width = ImGui::CalcTextSize(residual.c_str()).x;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  list.AddText({right - width, corner.y},
+               packed(handle.is_at_target ? look.palette->dim : look.palette->warning),
+               residual.c_str());
+  if (!clicked) return;
+  std::set<int> selection = context.state.modifiers.shift ? editor.selection() : std::set<int>{};
+  if (!selection.erase(handle.id)) selection.insert(handle.id);
+  editor.select(std::move(selection));
+}
+
+}  // namespace
+
+void draw_handles_panel(Editor& editor, const PanelContext& context) {
+  const auto handles = editor.handle_views();
+  if (handles.empty()) {
+    ImGui::PushTextWrapPos(0);
+    dim_text("Click on the mesh to place one, drag to bend.", context.look);
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  const float row = ImGui::GetTextLineHeightWithSpacing();
+  const float most = context.look.px(220);
+  const float height =
+      std::min(row * static_cast<float>(handles.size()) + context.look.px(4), most);
+  ImGui::BeginChild("rows", {0, height});
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(handles.size()));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      draw_row(handles[static_cast<std::size_t>(i)], editor, context);
+  ImGui::EndChild();
+}
+
+}  // namespace foldless

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/hints.h"
+
+namespace foldless {
+
+std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
+  if (editor.document().is_empty()) return "Drop a scene or a mesh here, or press Ctrl+O";
+  if (editor.scrubbed()) return "Enter goes on from this iteration · Esc returns to the newest";
+  if (editor.is_editing()) return "Release to set the target · Esc takes the drag back";
+  if (editor.band()) return "Release to select · Shift adds · Ctrl takes away · Esc cancels";
+  if (modifiers.control) return "Ctrl+drag takes away from the selection · Ctrl+K finds commands";
+  if (modifiers.shift) return "Shift+click adds to the selection · Shift+drag adds a box";
+  if (editor.hovered()) return "Drag to bend · Delete removes what is selected · Shift adds";
+  return "Click places a handle, drag bends · wheel zooms, middle drag pans · F1 all keys";
+}
+
+}  // namespace foldless

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+
+void draw_history_panel(Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
+  const History& history = editor.history();
+  const auto& steps = history.steps();
+  const float row = ImGui::GetTextLineHeightWithSpacing();
+  const float height = std::min(row * static_cast<float>(steps.size()) + look.px(4), look.px(200));
+  std::optional<std::size_t> chosen;
+  ImGui::BeginChild("rows", {0, height});
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const bool is_undone = i > history.current();
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::PushStyleColor(ImGuiCol_Text, is_undone ? look.palette->dim : look.palette->text);
+    if (ImGui::Selectable(steps[i].label.c_str(), i == history.current())) chosen = i;
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+    if (i == history.current() && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+  }
+  ImGui::EndChild();
+  if (chosen) editor.jump_to_step(*chosen);
+}
+
+}  // namespace foldless

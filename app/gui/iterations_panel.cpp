@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+namespace {
+
+/// How many edges an iteration flipped or split, as against the one before it.
+int changed_edges(const std::vector<Iteration>& iterations, std::size_t index) {
+  const Iteration& now = iterations[index];
+  if (index == 0) return now.flips + now.splits;
+  const Iteration& before = iterations[index - 1];
+  return now.flips + now.splits - before.flips - before.splits;
+}
+
+void draw_row(std::size_t index, Editor& editor, const PanelContext& context) {
+  const Iteration& record = editor.iterations()[index];
+  const Look& look = context.look;
+  const bool is_last = index + 1 == editor.iterations().size();
+  const bool is_shown = editor.scrubbed() ? *editor.scrubbed() == index : is_last;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushID(static_cast<int>(index));
+  if (ImGui::Selectable("##row", is_shown, ImGuiSelectableFlags_SpanAllColumns) &&
+      editor.can_scrub())
+    editor.scrub(index);
+  ImGui::PopID();
+  ImGui::SameLine(0, 0);
+  ImGui::Text("%zu", index + 1);
+  ImGui::TableNextColumn();
+  ImGui::TextColored(look.palette->dim, "%s", record.phase == Phase::update ? "update" : "relax");
+  ImGui::TableNextColumn();
+  ImGui::Text("%.3g", record.energy);
+  ImGui::TableNextColumn();
+  ImGui::Text("%.2g", record.handle_error_squared);
+  ImGui::TableNextColumn();
+  if (const int changed = changed_edges(editor.iterations(), index); changed != 0)
+    ImGui::TextColored(look.palette->accent, "%d", changed);
+}
+
+void draw_header(const Look& look) {
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, look.px(36));
+  ImGui::TableSetupColumn("Phase", ImGuiTableColumnFlags_WidthStretch, 1.1F);
+  ImGui::TableSetupColumn("E", ImGuiTableColumnFlags_WidthStretch, 1.2F);
+  ImGui::TableSetupColumn("‖P‖²", ImGuiTableColumnFlags_WidthStretch, 1.2F);
+  ImGui::TableSetupColumn("Edges", ImGuiTableColumnFlags_WidthFixed, look.px(38));
+  ImGui::TableHeadersRow();
+}
+
+}  // namespace
+
+void draw_iterations_panel(Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
+  const std::size_t count = editor.iterations().size();
+  if (count == 0) return dim_text("None since the last edit.", look);
+  const float height = std::max(ImGui::GetContentRegionAvail().y - look.px(6), look.px(140));
+  ImGui::PushFont(look.fonts.small);
+  if (ImGui::BeginTable("iterations", 5, ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH,
+                        {0, height})) {
+    draw_header(look);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count));
+    while (clipper.Step())
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+        draw_row(static_cast<std::size_t>(i), editor, context);
+    // Follows the solver as long as the end of the list was in sight.
+    if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - look.px(4)) ImGui::SetScrollHereY(1);
+    ImGui::EndTable();
+  }
+  ImGui::PopFont();
+}
+
+}  // namespace foldless

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <string>
+
+#include "app/gui/heat_legend.h"
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+namespace {
+
+void draw_layer_row(std::size_t index, Layers& layers, const Look& look) {
+  const LayerRow& row = kLayerRows[index];
+  ImGui::Checkbox(row.title.data(), &(layers.*row.shown));
+  const std::string key = std::to_string(index + 1);
+  tooltip("Key " + key + " switches this layer. Hold H to hide all that lies over the mesh.", look);
+  const float width = ImGui::CalcTextSize(key.c_str()).x;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - width - look.px(2));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(look.palette->dim, "%s", key.c_str());
+}
+
+void draw_heat_controls(ViewOptions& view, const PanelContext& context) {
+  static constexpr std::array kMeasures{"Conformal σ₁/σ₂", "Area A′/A"};
+  ImGui::SetNextItemWidth(-1);
+  int measure = static_cast<int>(view.heat_measure);
+  if (ImGui::Combo("##measure", &measure, kMeasures.data(), kMeasures.size()))
+    view.heat_measure = static_cast<HeatMeasure>(measure);
+  tooltip("What the heat map shows of each triangle.", context.look);
+  if (context.state.heat_range)
+    draw_heat_legend(*context.state.heat_range, context.state.hovered_heat, context.look);
+}
+
+void draw_checker_slider(ViewOptions& view, const Look& look) {
+  auto squares = static_cast<float>(view.checker_squares);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderFloat("##checker", &squares, 2, 128, "%.0f checker squares",
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
+    view.checker_squares = squares;
+  tooltip("Squares along the longer side of the mesh at rest. Ctrl-click to type a number.", look);
+}
+
+}  // namespace
+
+void draw_layers_panel(Editor& editor, const PanelContext& context) {
+  ViewOptions& view = editor.view();
+  const ViewOptions before = view;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{context.look.px(4), context.look.px(1)});
+  for (std::size_t i = 0; i < kLayerRows.size(); ++i) draw_layer_row(i, view.layers, context.look);
+  ImGui::PopStyleVar();
+  if (view.layers.heat) draw_heat_controls(view, context);
+  if (view.layers.fill && editor.document().texture.empty())
+    draw_checker_slider(view, context.look);
+  if (!editor.document().texture.empty() && ImGui::Button("Back to the checkerboard", {-1, 0}))
+    editor.clear_texture();
+  if (!(view == before)) editor.redraw();
+}
+
+}  // namespace foldless

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/requests.h"
+
+#include "core/data_path.h"
+#include "core/error.h"
+
+namespace foldless {
+namespace {
+
+using Paths = std::vector<std::filesystem::path>;
+
+Paths data_places() {
+  Paths places;
+  for (const char* folder : {"assets/scenes", "assets/meshes", "assets/images"}) {
+    try {
+      places.push_back(data_path(folder));
+    } catch (const Error&) {
+      // A program without its samples still opens files.
+    }
+  }
+  return places;
+}
+
+FileRequest open_request(const std::string& title, std::vector<std::string> extensions,
+                         const Editor& editor, const UiState& state) {
+  FileRequest request;
+  request.title = title;
+  request.extensions = std::move(extensions);
+  request.start = starting_folder(editor, state);
+  request.places = data_places();
+  return request;
+}
+
+void ask_what_to_open(Editor& editor, UiState& state) {
+  auto request = open_request(
+      "Open", {".json", ".obj", ".off", ".ply", ".png", ".jpg", ".jpeg", ".webp"}, editor, state);
+  request.chosen = [&editor, &state](const std::filesystem::path& path) {
+    state.last_folder = path.parent_path();
+    editor.open(path);
+  };
+  state.browser.ask(std::move(request));
+}
+
+void ask_for_texture(Editor& editor, UiState& state) {
+  auto request =
+      open_request("Open an image as texture", {".png", ".jpg", ".jpeg", ".webp"}, editor, state);
+  request.chosen = [&editor, &state](const std::filesystem::path& path) {
+    state.last_folder = path.parent_path();
+    editor.set_texture(path);
+  };
+  state.browser.ask(std::move(request));
+}
+
+void ask_where_to_save(Editor& editor, UiState& state) {
+  FileRequest request;
+  request.purpose = FileRequest::Purpose::save;
+  request.title = "Save the scene";
+  request.extensions = {".json"};
+  request.start = starting_folder(editor, state) / (suggested_name(editor) + ".json");
+  request.chosen = [&editor, &state](const std::filesystem::path& path) {
+    state.last_folder = path.parent_path();
+    editor.save_as(path);
+  };
+  request.dismissed = [&editor] { editor.answer(Answer::cancel); };
+  state.browser.ask(std::move(request));
+}
+
+void order_snapshot(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder) {
+  const auto folder = editor.path().empty() && !pictures_folder.empty()
+                          ? pictures_folder
+                          : starting_folder(editor, state);
+  ExportJob job;
+  job.path = numbered_picture(folder, suggested_name(editor));
+  job.picture.layers = editor.shown_view().layers;
+  state.exporting.order(std::move(job));
+}
+
+}  // namespace
+
+std::filesystem::path starting_folder(const Editor& editor, const UiState& state) {
+  if (!state.last_folder.empty()) return state.last_folder;
+  if (!editor.path().empty()) return std::filesystem::absolute(editor.path()).parent_path();
+  std::error_code ignored;
+  return std::filesystem::current_path(ignored);
+}
+
+std::string suggested_name(const Editor& editor) {
+  if (!editor.path().empty()) return editor.path().stem().string();
+  const std::string& name = editor.document().name;
+  return name.empty() ? "scene" : std::filesystem::path(name).stem().string();
+}
+
+void handle_requests(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder) {
+  for (const Request request : editor.take_requests()) {
+    switch (request) {
+      case Request::open_dialog: ask_what_to_open(editor, state); break;
+      case Request::save_dialog: ask_where_to_save(editor, state); break;
+      case Request::texture_dialog: ask_for_texture(editor, state); break;
+      case Request::write_snapshot: order_snapshot(editor, state, pictures_folder); break;
+      case Request::export_dialog: state.exporting.open(editor); break;
+      case Request::export_again: state.exporting.repeat(editor); break;
+      case Request::command_search: state.search.open(); break;
+      case Request::cheat_sheet: state.shows_cheat_sheet = !state.shows_cheat_sheet; break;
+      case Request::quit: state.wants_to_quit = true; break;
+    }
+  }
+}
+
+}  // namespace foldless

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/editor/editor.h"
+#include "app/gui/ui_state.h"
+
+namespace foldless {
+
+/// Opens the dialogs that the editor asked for; F12's picture goes beside the scene, or to
+/// `pictures_folder` when the scene has no file.
+void handle_requests(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder);
+
+/// The folder where the user was last: of the last dialog, of the document, or the present one.
+std::filesystem::path starting_folder(const Editor& editor, const UiState& state);
+
+/// A name without extension for a new file of this document.
+std::string suggested_name(const Editor& editor);
+
+}  // namespace foldless

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/run_editor.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+#include "app/editor/editor.h"
+#include "app/gui/frame_log.h"
+#include "app/gui/samples.h"
+#include "app/gui/ui.h"
+#include "app/gui/window.h"
+#include "core/error.h"
+
+namespace foldless {
+namespace {
+
+constexpr Extent kFirstSize{1280, 800};
+constexpr const char* kNoDisplay =
+    "There is no display to open a window on; `foldless solve SCENE -o DIR` and `foldless render "
+    "FILE -o OUT.png` work without one (see `foldless --help`).";
+
+/// Seconds since the program started.
+class Clock {
+ public:
+  double now() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::filesystem::path frame_log_file() {
+  const char* file = std::getenv("FOLDLESS_FRAME_LOG");
+  return file ? file : "";
+}
+
+/// Where F12 writes while a scene has no file: the user's pictures, or the present folder.
+std::filesystem::path pictures_folder() {
+  std::error_code ignored;
+  if (const char* home = std::getenv("HOME")) {
+    const auto pictures = std::filesystem::path(home) / "Pictures";
+    if (std::filesystem::is_directory(pictures, ignored)) return pictures;
+  }
+  return std::filesystem::current_path(ignored);
+}
+
+/// The parts of the running program and its loop.
+class Session {
+ public:
+  Session()
+      : window_("Foldless", kFirstSize),
+        editor_({.state_folder = default_state_folder(), .wake = [this] { window_.wake(); }}),
+        ui_({.state_folder = default_state_folder(),
+             .pictures_folder = pictures_folder(),
+             .clipboard = [this] { return window_.clipboard(); },
+             .set_clipboard = [this](const std::string& text) { window_.set_clipboard(text); }}),
+        log_(frame_log_file()) {}
+
+  void open(const std::filesystem::path& file) { editor_.open(file); }
+
+  void run() {
+    while (!ui_.wants_to_quit()) {
+      draw_frame();
+      wait();
+    }
+  }
+
+ private:
+  void draw_frame() {
+    const Extent framebuffer = window_.framebuffer_size();
+    if (framebuffer.width == 0 || framebuffer.height == 0) return;
+    last_start_ = clock_.now();
+    ui_.frame(editor_, {framebuffer, window_.size(), window_.content_scale(), last_start_});
+    window_.set_title(editor_.title() + " – Foldless");
+    window_.set_cursor(ui_.cursor());
+    const double drawn = clock_.now();
+    window_.swap_buffers();
+    log_.add({last_start_, drawn - last_start_, clock_.now() - last_start_, editor_.is_editing(),
+              editor_.iterations().size()});
+  }
+
+  /// Sleeps until the next frame is worth drawing: the solver may wake us more often than the
+  /// display can show.
+  void wait() {
+    const auto next = ui_.next_frame(editor_, clock_.now());
+    window_.wait_events(next.value_or(-1.0));
+    take_events();
+    const double rest = last_start_ + window_.refresh_interval() - clock_.now();
+    if (rest > 0) {
+      window_.wait_events(rest);
+      take_events();
+    }
+  }
+
+  void take_events() {
+    for (UiEvent& event : window_.take_events()) ui_.receive(std::move(event));
+    if (window_.take_close_request()) editor_.close();
+  }
+
+  Clock clock_;
+  Window window_;
+  Editor editor_;
+  Ui ui_;
+  FrameLog log_;
+  double last_start_ = 0;
+};
+
+}  // namespace
+
+int run_editor(const std::optional<std::filesystem::path>& file) {
+  if (!has_display()) throw Error(kNoDisplay);
+  Session session;
+  session.open(file.value_or(welcome_scene()));
+  session.run();
+  return 0;
+}
+
+}  // namespace foldless

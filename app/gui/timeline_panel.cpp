@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/editor/commands.h"
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+namespace {
+
+/// A button for a row of the table of commands, greyed when the command is.
+void command_icon(const char* name, Icon icon, Editor& editor, const Look& look) {
+  const Command* command = find_command(name);
+  if (!command) return;
+  const std::string key = shortcut_words(*command);
+  const std::string tip = std::string(command->title) + (key.empty() ? "" : " (" + key + ")");
+  ImGui::BeginDisabled(!command->is_enabled(editor));
+  if (icon_button(name, icon, tip, look)) editor.run_command(name);
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+}
+
+void draw_transport(Editor& editor, const Look& look) {
+  command_icon("solve.first", Icon::first, editor, look);
+  command_icon("solve.back", Icon::back, editor, look);
+  const bool is_solving = editor.is_solving();
+  ImGui::BeginDisabled(editor.document().is_empty());
+  if (icon_button("toggle", is_solving ? Icon::pause : Icon::play,
+                  is_solving ? "Pause (Space)" : "Solve (Space)", look, true))
+    editor.run_command("solve.toggle");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  command_icon("solve.step", Icon::step, editor, look);
+  command_icon("solve.last", Icon::last, editor, look);
+  command_icon("solve.stop", Icon::stop, editor, look);
+}
+
+void draw_pace(Editor& editor, const Look& look) {
+  static constexpr std::array kPaces{60, 30, 10, 5, 2, 1};
+  const auto words = [](std::optional<double> pace) {
+    return pace ? std::to_string(static_cast<int>(*pace)) + " a second" : std::string("Full speed");
+  };
+  ImGui::SetNextItemWidth(look.px(108));
+  if (ImGui::BeginCombo("##pace", words(editor.pace()).c_str())) {
+    if (ImGui::Selectable("Full speed", !editor.pace())) editor.set_pace(std::nullopt);
+    for (const int pace : kPaces)
+      if (ImGui::Selectable(words(pace).c_str(), editor.pace() == pace)) editor.set_pace(pace);
+    ImGui::EndCombo();
+  }
+  tooltip("Pace: iterations a second, so that a solve that takes 5 ms can be watched.", look);
+}
+
+void draw_scrubber(Editor& editor, const Look& look, float width) {
+  const int count = static_cast<int>(editor.iterations().size());
+  ImGui::SetNextItemWidth(width);
+  ImGui::BeginDisabled(!editor.can_scrub());
+  int shown = editor.scrubbed() ? static_cast<int>(*editor.scrubbed()) + 1 : count;
+  const std::string words =
+      count == 0 ? "No iterations yet"
+                 : "Iteration " + std::to_string(shown) + " of " + std::to_string(count);
+  if (ImGui::SliderInt("##iteration", &shown, std::min(1, count), std::max(count, 1), words.c_str(),
+                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
+    editor.scrub(static_cast<std::size_t>(std::max(shown, 1) - 1));
+  ImGui::EndDisabled();
+  tooltip(editor.can_scrub() ? "Drag through the iterations since the last edit ( , and . step)."
+                             : "Pause or finish solving to go through its iterations.",
+          look);
+}
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+}  // namespace
+
+void draw_timeline_panel(Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
+  const Rectangle& place = context.layout.timeline;
+  ImGui::SetNextWindowPos({place.x, place.y});
+  ImGui::SetNextWindowSize({place.width, place.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{look.px(7), look.px(4)});
+  if (ImGui::Begin("##timeline", nullptr, kFixed)) {
+    draw_transport(editor, look);
+    const bool has_use = editor.scrubbed().has_value();
+    const bool has_pace = ImGui::GetContentRegionAvail().x > look.px(has_use ? 320 : 230);
+    const float right = (has_pace ? look.px(114) : 0) + (has_use ? look.px(82) : 0);
+    draw_scrubber(editor, look, std::max(look.px(40), ImGui::GetContentRegionAvail().x - right));
+    if (has_use) {
+      ImGui::SameLine();
+      if (main_button("Use this", look)) editor.run_command("solve.use");
+      tooltip("Go on from this iteration (Enter). One undo step.", look);
+    }
+    if (has_pace) {
+      ImGui::SameLine();
+      draw_pace(editor, look);
+    }
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace foldless

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/ui.h"
+
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/canvas_input.h"
+#include "app/gui/canvas_overlay.h"
+#include "app/gui/canvas_picture.h"
+#include "app/gui/input_feed.h"
+#include "app/gui/panels.h"
+#include "app/gui/requests.h"
+#include "app/gui/ui_state.h"
+#include "core/error.h"
+#include "render/scene_renderer.h"
+#include "render/theme.h"
+#include "render/ui_renderer.h"
+
+namespace foldless {
+namespace {
+
+/// ImGui lays out what it met for the first time one frame later, and popups two.
+constexpr int kSettlingFrames = 3;
+constexpr double kTextCursorSeconds = 0.4;
+
+/// Makes the context before, and destroys it after, whatever uses it.
+struct ImGuiOwner {
+  ImGuiOwner() { ImGui::CreateContext(); }
+  ~ImGuiOwner() { ImGui::DestroyContext(); }
+  ImGuiOwner(const ImGuiOwner&) = delete;
+  ImGuiOwner& operator=(const ImGuiOwner&) = delete;
+};
+
+const Palette& palette_of(Theme theme) {
+  switch (theme) {
+    case Theme::light: return light_palette();
+    case Theme::contrast: return contrast_palette();
+    case Theme::dark: break;
+  }
+  return dark_palette();
+}
+
+}  // namespace
+
+struct Ui::Parts {
+  UiOptions options;
+  ImGuiOwner imgui;
+  UiRenderer ui_renderer;
+  SceneRenderer scene_renderer;
+  InputFeed feed;
+  CanvasInput canvas_input;
+  UiState state;
+  Settings saved_settings;
+  Look look;
+  Layout layout;
+  std::filesystem::path texture;  ///< that the scene renderer shows
+  std::string clipboard;          ///< keeps the text alive that ImGui was given
+  double time = 0;
+  int settling = kSettlingFrames;
+
+  std::filesystem::path settings_file() const { return options.state_folder / "settings.json"; }
+  void connect_clipboard();
+  void follow_scale(const FrameSpec& spec);
+  void follow_settings();
+  void follow_texture(Editor& editor);
+  void carry_out(const ExportJob& job, Editor& editor);
+};
+
+void Ui::Parts::connect_clipboard() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.ClipboardUserData = this;
+  io.GetClipboardTextFn = [](void* user) {
+    auto& parts = *static_cast<Parts*>(user);
+    if (parts.options.clipboard) parts.clipboard = parts.options.clipboard();
+    return parts.clipboard.c_str();
+  };
+  io.SetClipboardTextFn = [](void* user, const char* text) {
+    auto& parts = *static_cast<Parts*>(user);
+    parts.clipboard = text;
+    if (parts.options.set_clipboard) parts.options.set_clipboard(text);
+  };
+}
+
+void Ui::Parts::follow_scale(const FrameSpec& spec) {
+  const auto scale = spec.content_scale * static_cast<float>(state.settings.scale);
+  const Palette& palette = palette_of(state.settings.theme);
+  if (scale == look.scale && &palette == look.palette && look.fonts.text) return;
+  if (scale != look.scale || !look.fonts.text) {
+    look.fonts = build_fonts(scale);
+    ui_renderer.upload_fonts(*ImGui::GetIO().Fonts);
+  }
+  look.scale = scale;
+  look.palette = &palette;
+  apply_theme(palette, scale);
+  settling = kSettlingFrames;
+}
+
+void Ui::Parts::follow_settings() {
+  if (state.settings == saved_settings) return;
+  saved_settings = state.settings;
+  settling = kSettlingFrames;
+  if (!options.state_folder.empty()) save_settings(settings_file(), saved_settings);
+}
+
+void Ui::Parts::follow_texture(Editor& editor) {
+  const std::filesystem::path wanted = editor.document().texture;
+  if (wanted == texture) return;
+  texture = wanted;
+  scene_renderer.clear_texture();
+  if (wanted.empty()) return;
+  try {
+    scene_renderer.set_texture(load_image(wanted));
+  } catch (const Error& error) {
+    editor.toast(ToastKind::error, error.what());
+  }
+}
+
+void Ui::Parts::carry_out(const ExportJob& job, Editor& editor) {
+  try {
+    if (job.is_picture()) {
+      GLint bound = 0;
+      glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+      const Image picture = draw_picture(editor, scene_renderer, job.picture);
+      glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+      save_png(job.path, picture, picture_texts(editor));
+    } else {
+      export_mesh(editor, job.path);
+    }
+    editor.toast(ToastKind::notice, "Wrote " + job.path.string());
+  } catch (const Error& error) {
+    editor.toast(ToastKind::error, error.what());
+  }
+}
+
+Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
+  parts_->options = std::move(options);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
+  InputFeed::map_keys(io);
+  parts_->connect_clipboard();
+  if (!parts_->options.state_folder.empty())
+    parts_->state.settings = load_settings(parts_->settings_file());
+  parts_->saved_settings = parts_->state.settings;
+  parts_->state.samples = find_samples();
+}
+
+Ui::~Ui() = default;
+
+void Ui::receive(UiEvent event) {
+  parts_->feed.push(std::move(event));
+  parts_->settling = kSettlingFrames;
+}
+
+void Ui::frame(Editor& editor, const FrameSpec& spec) {
+  Parts& p = *parts_;
+  prepare(spec);
+  const Vec2 pixels{static_cast<double>(spec.framebuffer.width) / std::max(spec.window.width, 1),
+                    static_cast<double>(spec.framebuffer.height) / std::max(spec.window.height, 1)};
+  const auto events = p.feed.take_frame(ImGui::GetIO(), pixels);
+  p.state.modifiers = p.feed.modifiers();
+  ImGui::NewFrame();
+  editor.resize(static_cast<int>(p.layout.canvas.width), static_cast<int>(p.layout.canvas.height),
+                p.look.scale);
+  route(editor, events, spec.time);
+  editor.view().theme = p.state.settings.theme;
+  editor.update(spec.time);
+  handle_requests(editor, p.state, p.options.pictures_folder);
+  if (const auto job = p.state.exporting.take_order()) p.carry_out(*job, editor);
+  draw_scene(editor, spec);
+  draw_panels(editor);
+  ImGui::Render();
+  p.ui_renderer.draw(*ImGui::GetDrawData());
+  p.follow_settings();
+  p.settling = std::max(0, p.settling - 1);
+}
+
+void Ui::prepare(const FrameSpec& spec) {
+  Parts& p = *parts_;
+  p.follow_scale(spec);
+  p.layout = layout_for(spec.framebuffer, p.look.scale, p.state.settings.shows_panels);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(spec.framebuffer.width),
+                    static_cast<float>(spec.framebuffer.height)};
+  io.DeltaTime = static_cast<float>(std::clamp(spec.time - p.time, 1e-4, 1.0));
+  p.time = spec.time;
+}
+
+void Ui::route(Editor& editor, const std::vector<UiEvent>& events, double time) {
+  Parts& p = *parts_;
+  p.canvas_input.begin_frame(p.layout.canvas);
+  for (const UiEvent& event : events)
+    if (const auto* input = std::get_if<InputEvent>(&event))
+      p.canvas_input.route(*input, editor, time);
+  p.state.pointer = p.canvas_input.pointer();
+}
+
+void Ui::draw_scene(Editor& editor, const FrameSpec& spec) {
+  Parts& p = *parts_;
+  p.follow_texture(editor);
+  const glm::vec4 background = canvas_colours(p.state.settings.theme).background;
+  glViewport(0, 0, spec.framebuffer.width, spec.framebuffer.height);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(background.r, background.g, background.b, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  p.state.heat_range.reset();
+  const auto shown = editor.shown();
+  if (!shown) return;
+  const Rectangle& canvas = p.layout.canvas;
+  const int bottom = spec.framebuffer.height - static_cast<int>(canvas.y + canvas.height);
+  p.scene_renderer.draw(*shown, scene_view(editor, static_cast<int>(canvas.x), bottom),
+                        editor.shown_view());
+  p.state.heat_range = p.scene_renderer.heat_range();
+}
+
+void Ui::draw_panels(Editor& editor) {
+  Parts& p = *parts_;
+  const PanelContext context{p.state, p.look, p.layout};
+  draw_canvas_overlay(editor, context);
+  draw_menu_bar(editor, context);
+  draw_side_panels(editor, context);
+  draw_timeline_panel(editor, context);
+  draw_status_bar(editor, context);
+  draw_toasts(editor, context);
+  draw_dialogs(editor, context);
+}
+
+std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
+  if (parts_->settling > 0 || !parts_->feed.is_empty()) return 0.0;
+  std::optional<double> next;
+  if (const auto wake = editor.next_wake()) next = std::max(0.0, *wake - now);
+  if (ImGui::GetIO().WantTextInput) next = std::min(next.value_or(1), kTextCursorSeconds);
+  return next;
+}
+
+const Layout& Ui::layout() const { return parts_->layout; }
+
+CursorShape Ui::cursor() const {
+  if (ImGui::GetIO().WantTextInput && ImGui::GetMouseCursor() == ImGuiMouseCursor_TextInput)
+    return CursorShape::text;
+  return parts_->canvas_input.cursor();
+}
+
+bool Ui::wants_to_quit() const { return parts_->state.wants_to_quit; }
+
+void Ui::set_scale(double scale) {
+  parts_->state.settings.scale = std::clamp(scale, kSmallestScale, kLargestScale);
+}
+
+}  // namespace foldless
