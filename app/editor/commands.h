@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/editor/input.h"
 
@@ -21,16 +22,17 @@ struct Shortcut {
 
 /// One thing a user can ask for: feeds menus, keys, search and cheat sheet.
 struct Command {
-  std::string_view name;                ///< stable, `edit.undo`
-  std::string_view menu;                ///< `File`, `Edit`, `Select`, `Solve`, `View`, `Help`
-  std::string_view title;               ///< words in menus and search
-  std::span<const Shortcut> shortcuts;  ///< the first one is shown in menus
+  std::string_view name;            ///< stable, `edit.undo`
+  std::string_view menu;            ///< `File`, `Edit`, `Select`, `Solve`, `View`, `Help`
+  std::string_view title;           ///< words in menus and search
+  std::vector<Shortcut> shortcuts;  ///< the first one is shown in menus
   bool (*is_enabled)(const Editor&);
   void (*run)(Editor&);
   /// State of a switch, or null for commands that are none.
   bool (*is_checked)(const Editor&) = nullptr;
   /// Called when the key is let go, for commands that last as long as it is held; else null.
   void (*release)(Editor&) = nullptr;
+  bool repeats = false;  ///< runs again while its key is held down
 };
 
 /// Every command in menu order.

@@ -29,6 +29,7 @@ struct Document {
   std::shared_ptr<const Shape> original;  ///< the mesh before any remeshing; null: nothing is open
   std::shared_ptr<const Snapshot> pose;  ///< rest and deformed mesh as they are; null with original
   std::vector<Handle> handles;           ///< in the solver's order; vertices of `pose`
+  int next_handle_id = 0;                ///< ids are never used twice
   const Density* energy = nullptr;       ///< a row of densities(), never null
   Parameters parameters;
   std::filesystem::path texture;  ///< absolute path of an image; empty: checkerboard
@@ -54,13 +55,9 @@ Problem problem_of(const Document& document);
 /// A pose made of a mesh pair, with the marks that make it different from `original`.
 std::shared_ptr<const Snapshot> pose_of(const MeshPair& mesh, const Shape& original);
 
-/// A pose that came from the solver, with the marks that make it different from `original`; parts
-/// that equal those of `previous` are shared with it.
+/// A pose that came from the solver; parts that equal those of `previous` are shared with it.
 std::shared_ptr<const Snapshot> adopted_pose(const std::shared_ptr<const Snapshot>& snapshot,
-                                             const Snapshot& previous, const Shape& original);
-
-/// The edges of `triangles` between vertices of `original` that are no edges there, sorted.
-std::vector<Edge> edges_not_in(const Shape& original, const Triangles& triangles);
+                                             const Snapshot& previous);
 
 /// The handle with that id, or null.
 const Handle* find_handle(const Document& document, int id);
@@ -68,8 +65,6 @@ const Handle* find_handle(const Document& document, int id);
 const Handle* handle_at_vertex(const Document& document, int vertex);
 /// Where a handle is now, as opposed to its target.
 Vec2 position_of(const Document& document, const Handle& handle);
-/// An id that no handle of the document has or, as long as ids only grow, had.
-int next_handle_id(const Document& document);
 
 /// A handle counts as at its target within this distance. [length]
 double target_tolerance(const Document& document);

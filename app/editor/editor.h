@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "app/editor/canvas.h"
+#include "app/editor/commands.h"
 #include "app/editor/document.h"
 #include "app/editor/history.h"
 #include "app/editor/input.h"
 #include "app/editor/messages.h"
 #include "app/editor/parameter_rows.h"
-#include "app/editor/picking.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/solving.h"
 #include "app/editor/tool.h"
@@ -28,22 +28,30 @@ namespace foldless {
 struct EditorOptions {
   std::filesystem::path state_folder;  ///< holds the recent files; empty: nothing is kept on disk
   std::function<void()> wake;          ///< called on the solver's thread when update() has news
-  std::size_t history_bytes = std::size_t{512} << 20;
+  std::size_t history_bytes = std::size_t{1} << 30;
+};
+
+/// What an edit changes, as far as the solver is concerned.
+enum class Change {
+  appearance,  ///< nothing that it sees
+  targets,     ///< targets of the same handles
+  parameters,  ///< energy, method or numbers
+  mesh         ///< the mesh, or which handles there are
 };
 
 /// The program without its window: a document, its history, what is selected and seen, and the
 /// solver behind it. Takes plain input events, says what to draw. One thread only. Never throws on
-/// bad files or refused edits: it shows a toast.
+/// bad files or refused edits: it shows a toast. An edit that comes in the middle of a gesture
+/// cancels the gesture.
 class Editor {
  public:
   explicit Editor(EditorOptions options = {});
   ~Editor();
 
-  // The loop: events in, then one update a frame.
+  // The loop: events in, then one update a frame. `now` is a clock that never goes back. [s]
 
   /// Size of the canvas in framebuffer pixels and framebuffer pixels in one design pixel.
   void resize(int width, int height, double ui_scale);
-  /// `now` is a clock that never goes back. [s]
   void receive(const InputEvent& event, double now);
   /// Sends the newest targets to the solver and takes its newest state. Returns whether something
   /// on screen may have changed since the last call.
@@ -55,9 +63,9 @@ class Editor {
 
   /// The mesh on screen, or null when nothing is open: the newest state, or the chosen iteration.
   /// Its handles have the newest targets.
-  std::shared_ptr<const Snapshot> shown() const { return shown_; }
+  const std::shared_ptr<const Snapshot>& shown() const { return shown_; }
   const Canvas& canvas() const { return canvas_; }
-  /// The options to draw with: overlays are off while H is held, handles follow ui_scale.
+  /// The options to draw with: the user's, without overlays while H is held.
   ViewOptions shown_view() const;
   /// The options as the user set them; change them freely.
   ViewOptions& view() { return view_; }
@@ -69,40 +77,47 @@ class Editor {
   Status status() const;
   /// Of the mesh on screen.
   const Proof& proof() const { return proof_; }
-  /// "scene.json" or the mesh's name, with a leading "● " when there is something to save.
+  /// "scene.json" or the mesh's name, with "● " in front when there is something to save.
   std::string title() const;
-  const std::vector<Toast>& toasts() const { return toasts_; }
-  void dismiss_toast(int id);
 
   const Document& document() const { return document_; }
   const History& history() const { return history_; }
   /// True while a gesture changes the document.
   bool is_editing() const { return tool_->is_editing(); }
 
-  // Commands; see commands.h.
+  // Commands and messages.
 
   /// Runs a command of the table if it is enabled; returns whether it was.
   bool run_command(std::string_view name);
-  std::vector<Request> take_requests();
   void request(Request request);
+  /// What the surroundings should do, oldest first; each is given once.
+  std::vector<Request> take_requests();
+  void toast(ToastKind kind, std::string text);
+  void dismiss_toast(int id);
+  const std::vector<Toast>& toasts() const { return toasts_; }
+  void redraw() { needs_redraw_ = true; }
 
   // Files.
 
   /// Opens a scene, a mesh, or an image as the texture of the present mesh, by its extension;
   /// asks first when there are unsaved changes (not for a texture).
   void open(const std::filesystem::path& path);
-  /// Opens a mesh that was made, not read. Precondition: valid. Unsaved changes are dropped.
+  /// Opens a mesh that was made, not read; unsaved changes are dropped. Precondition: valid.
   void open_shape(Shape shape, std::string name);
   void new_document();
   void save();
+  /// Writes a scene file; `.json` is added where the name has no extension. False when that fails.
   bool save_as(const std::filesystem::path& path);
   void set_texture(const std::filesystem::path& path);
   void clear_texture();
-  void close();                                                ///< the window's close button
-  const std::filesystem::path& path() const { return path_; }  ///< of the scene; empty: never saved
+  /// The window's close button: Request::quit, or a question first.
+  void close();
+  /// Of the scene file; empty: never saved.
+  const std::filesystem::path& path() const { return path_; }
   bool is_dirty() const;
-  /// The action that waits for an answer about unsaved changes: "Save changes to …?"
-  const std::optional<PendingAction>& question() const { return question_; }
+  /// The action that waits for an answer about unsaved changes, or null.
+  const PendingAction* question() const { return is_asking_ ? &*pending_ : nullptr; }
+  /// Answers the question; `cancel` also when the dialog that asks for a path was dismissed.
   void answer(Answer answer);
   const std::vector<std::filesystem::path>& recent() const { return recent_.paths(); }
 
@@ -115,7 +130,7 @@ class Editor {
   void reset_pose();
   void set_energy(const Density& energy);
   void set_method(std::string_view name);
-  /// Clamped to the row's range; moves of one slider within a second make one step.
+  /// Clamped to the row's range; changes of one row within a second make one step.
   void set_parameter(const ParameterRow& row, double value);
   void reset_parameter(const ParameterRow& row);
 
@@ -124,15 +139,18 @@ class Editor {
   void select(std::set<int> ids);
   void select_all();
   void invert_selection();
+  void set_hovered(std::optional<int> id);
   void fit_all();
   void fit_selection();
   void zoom(double factor);  ///< about the middle of the canvas
-  void actual_size();        ///< 100 pixels × UI scale a unit of length
+  void actual_size();        ///< 100 design pixels a unit of length
   void set_camera(const Camera& camera);
   void hide_overlays(bool hidden);
+  bool are_overlays_hidden() const { return overlays_hidden_; }
 
   // The solver and its timeline.
 
+  SolvingState solving_state() const { return solving_.state(); }
   bool is_solving() const { return solving_.is_running(); }
   void toggle_pause();
   void stop_solving();
@@ -141,14 +159,15 @@ class Editor {
   std::optional<double> pace() const { return pace_; }
   /// Every iteration since the last edit, in order.
   const std::vector<Iteration>& iterations() const { return solving_.iterations(); }
+  /// True when the solver rests and there is an iteration to go to.
   bool can_scrub() const;
-  /// The iteration that is shown instead of the newest state.
+  /// The iteration that is shown, when it is not the newest state.
   std::optional<std::size_t> scrubbed() const { return scrubbed_; }
   void scrub(std::size_t index);
   void leave_timeline();
-  void use_iteration();  ///< an undo step
-  void step_forward();   ///< `.`: the next iteration of the timeline, or one of the solver
-  void step_back();      ///< `,`
+  void use_iteration();  ///< makes what is shown the newest state, an undo step
+  void step_forward();   ///< the next iteration of the timeline; at its end one of the solver
+  void step_back();      ///< the iteration before; pauses first when solving
   void first_iteration();
   void last_iteration();
   /// Stages of Esc: cancel the gesture, stop solving, leave the timeline, deselect.
@@ -156,40 +175,97 @@ class Editor {
 
   // For tools.
 
-  /// A gesture or command is about to change the document: what is on screen becomes current.
+  bool is_space_held() const { return space_.has_value(); }
+  /// The document is about to change: what is on screen becomes the newest state.
   void begin_edit();
-  /// The document as the gesture makes it; the solver follows. `is_mesh_new`: handles or mesh
-  /// changed, not only targets.
-  void apply(Document document, bool is_mesh_new);
+  /// The document as the edit makes it so far; the solver follows.
+  void apply(Document document, Change change);
   /// Ends what begin_edit() began with one undo step.
   void commit(std::string label);
   /// Ends it with everything as it was.
   void abandon_edit();
-  void toast(ToastKind kind, std::string text);
-  void set_hovered(std::optional<int> id);
-  void redraw() { needs_redraw_ = true; }
+  /// The next iteration will be the first of the timeline.
+  void clear_timeline() { solving_.clear_timeline(); }
 
  private:
-  struct Edit;
+  struct Edit {
+    Document before;
+    bool was_solving = false;
+  };
+  struct SpaceKey {
+    double since = 0;
+    bool has_panned = false;
+  };
+  struct LastChange {
+    std::string label;
+    double time = 0;
+  };
+
+  void on(const PointerPressed& event);
+  void on(const PointerMoved& event);
+  void on(const PointerReleased& event);
+  void on(const PointerLeft& event);
+  void on(const WheelTurned& event);
+  void on(const KeyPressed& event);
+  void on(const KeyReleased& event);
+  void on(const FilesDropped& event);
+  void on(const FocusLost& event);
+  void take_over(std::unique_ptr<Tool> next);
+  void cancel_gesture();
+
+  void edit(std::string label, Document document, Change change);
+  void change_parameters(const std::string& label, Document document);
+  void restore(const Document& document);
+  void install(Document document, std::string label);
+  void load(const std::filesystem::path& path);
+  void open_scene(const std::filesystem::path& path);
+  void perform_pending();
+  void mark_saved();
+
+  void take_newest();
+  void refresh_shown();
+  void refresh_proof();
+  void prune_selection();
+  Box box_of(const std::vector<HandleView>& handles) const;
 
   EditorOptions options_;
   Document document_;
   History history_;
   Solving solving_;
   Canvas canvas_;
+  bool needs_fit_ = true;
   ViewOptions view_;
+  bool overlays_hidden_ = false;
   std::unique_ptr<Tool> tool_;
+  std::optional<Edit> edit_;
+  std::optional<LastChange> last_change_;  ///< of a parameter, to make one step of a slider's moves
+  bool targets_moved_ = false;             ///< since the solver was told
+
   std::shared_ptr<const Snapshot> shown_;
+  std::shared_ptr<const Snapshot> taken_;     ///< the solver's snapshot that the document has
+  std::shared_ptr<const Snapshot> proved_;    ///< the pose that proof_ is about
+  std::shared_ptr<const Snapshot> old_pose_;  ///< the chosen iteration's, null without one
+  std::optional<std::size_t> scrubbed_;
   Proof proof_;
+  std::optional<double> pace_;
+
   std::set<int> selection_;
   std::optional<int> hovered_;
-  std::optional<std::size_t> scrubbed_;
-  std::optional<double> pace_;
+  Vec2 pointer_ = Vec2::Zero();
+  std::optional<SpaceKey> space_;
+  const Command* held_command_ = nullptr;  ///< whose key is down, if it lasts as long as that
+  Key held_key_ = Key::none;
+
   std::vector<Toast> toasts_;
+  int next_toast_ = 1;
   std::vector<Request> requests_;
-  std::optional<PendingAction> question_;
+  std::optional<PendingAction> pending_;
+  bool is_asking_ = false;
   std::filesystem::path path_;
   RecentFiles recent_;
+  std::uint64_t saved_step_ = 0;
+  std::shared_ptr<const Snapshot> saved_pose_;  ///< null: any, the file holds none
+  double now_ = 0;
   bool needs_redraw_ = true;
 };
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/editor/canvas.h"
-#include "app/editor/document.h"
+#include "core/snapshot.h"
 
 namespace foldless {
 
@@ -15,15 +15,17 @@ struct HandleHit {
   bool is_target = false;
 };
 
+// What is picked from is the snapshot on screen; null when nothing is open.
+
 /// The handle or target ring nearest to a pixel within the hit radius; the dot wins a tie.
-std::optional<HandleHit> pick_handle(const Document& document, const Canvas& canvas,
+std::optional<HandleHit> pick_handle(const Snapshot* shown, const Canvas& canvas,
                                      const Vec2& pixel);
 
 /// Handles whose dot is inside a rectangle, by id.
-std::vector<int> handles_in(const Document& document, const Canvas& canvas, const PixelBox& box);
+std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const PixelBox& box);
 
 /// The triangle of the deformed mesh that holds a world point, or nothing.
-std::optional<int> triangle_at(const Snapshot& pose, const Vec2& world);
+std::optional<int> triangle_at(const Snapshot& shown, const Vec2& world);
 
 /// A place on the deformed mesh where a handle can go: a vertex, or else a point of a triangle.
 struct MeshHit {
@@ -34,6 +36,6 @@ struct MeshHit {
 
 /// Where on the mesh a pixel is: a corner of the triangle under it that is within the hit radius
 /// before any other vertex there, before the point in the triangle itself.
-std::optional<MeshHit> pick_mesh(const Document& document, const Canvas& canvas, const Vec2& pixel);
+std::optional<MeshHit> pick_mesh(const Snapshot* shown, const Canvas& canvas, const Vec2& pixel);
 
 }  // namespace foldless

@@ -12,53 +12,73 @@
 
 namespace foldless {
 
-/// The editor's side of the worker: remembers what was sent, whether the user paused, and which
-/// snapshots are still of interest.
+/// What the solver does for a document.
+enum class SolvingState {
+  held,     ///< nothing was sent: the document stays as it is until it is edited or run
+  running,  ///< iterating, or about to
+  paused,   ///< the user wants to see every step
+  stopped,  ///< ended by the user
+  finished  ///< ended by itself
+};
+
+/// The editor's side of the worker: remembers what was sent and whether the user paused, and knows
+/// which snapshots are still of interest.
 class Solving {
  public:
   explicit Solving(std::function<void()> wake);
 
-  /// Nothing to solve any more.
-  void clear();
-  /// Solves a document, unless the user has paused.
+  /// Solves a document that has another mesh or other handles than before, unless paused.
   void start(const Document& document);
-  /// Loads a document without solving: it stays exactly as it is until the next edit or run().
-  void hold(const Document& document);
+  /// Stops, so that a document stays exactly as it is until the next call of another function.
+  void hold();
   /// New targets of the same handles.
   void move_targets(const Document& document);
   /// New energy or parameters for the same mesh.
   void set_parameters(const Document& document);
-
-  void toggle_pause();
+  /// Pauses; when paused, held or stopped, goes on.
+  void toggle_pause(const Document& document);
   void pause();
-  void step();
+  /// One iteration, then pause.
+  void step(const Document& document);
   void stop();
+  /// Iterations a second; nothing: as fast as it goes.
   void set_pace(std::optional<double> pace);
+  /// The next iteration will be the first of the timeline.
   void clear_timeline();
 
   /// Takes what is new. Returns whether anything is.
   bool poll();
-  /// The newest snapshot after an iteration of the present load, or null when there was none.
-  const std::shared_ptr<const Snapshot>& newest() const { return newest_; }
-  /// What the worker said last; absent while the document is held as it was restored.
-  const std::optional<WorkerStatus>& status() const { return status_; }
-  bool is_running() const;
-  /// The user asked for the pause; edits do not end it.
-  bool is_paused() const { return paused_; }
 
+  SolvingState state() const;
+  bool is_running() const { return state() == SolvingState::running; }
+  /// Edits do not end the pause.
+  bool is_paused() const { return paused_; }
+  /// The end of the run, while the state is finished.
+  Standing standing() const { return {status_.outcome, status_.satisfied}; }
+  /// One sentence when the run could not go on, else empty.
+  const std::string& error() const { return status_.error; }
+
+  /// The newest mesh that iterations of the present problem have made, or null.
+  const std::shared_ptr<const Snapshot>& newest() const { return newest_; }
   /// Every iteration since the last edit.
   const std::vector<Iteration>& iterations() const { return iterations_; }
-  /// The mesh after an iteration, or null when it was let go to save memory.
+  /// The mesh after an iteration; where that was let go to save memory, the next that was kept;
+  /// null when there is none.
   std::shared_ptr<const Snapshot> snapshot_of(std::size_t iteration) const;
 
  private:
+  void load(const Document& document);
+  void go_on(const Document& document);
+  bool poll_timeline();
+
   Worker worker_;
+  bool loaded_ = false;  ///< the worker's problem is the document's
+  bool paused_ = false;
+  bool stopped_ = false;
   std::uint64_t generation_ = 0;
   std::uint64_t epoch_ = 0;
-  bool is_loaded_ = false;
-  bool paused_ = false;
+  WorkerStatus status_;
   std::shared_ptr<const Snapshot> newest_;
-  std::optional<WorkerStatus> status_;
   std::vector<Iteration> iterations_;
 };
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+
+#include "app/editor/editor.h"
+
+namespace foldless {
+namespace {
+
+std::string solving_words(const Editor& editor) {
+  const Parameters& parameters = editor.document().parameters;
+  std::string words = "Solving";
+  if (editor.iterations().empty()) return words;
+  const Iteration& last = editor.iterations().back();
+  words += " " + std::to_string(last.inner) + "/" + std::to_string(parameters.inner_iterations);
+  if (last.outer > 0)
+    words += ", round " + std::to_string(last.outer + 1) + "/" +
+             std::to_string(parameters.outer_iterations);
+  return words;
+}
+
+/// How a run that has ended by itself, or a restored document, stands.
+Status ended(const Document& document) {
+  if (is_at_targets(document)) return {StatusKind::converged, "Converged"};
+  if (!document.standing.outcome || document.standing.outcome == Outcome::cancelled)
+    return {StatusKind::stopped, "Stopped"};
+  if (document.standing.outcome == Outcome::iteration_limit)
+    return {StatusKind::blocked, "Blocked: out of iterations before the handles got there"};
+  return {StatusKind::blocked, "Blocked: some handles cannot get to their targets"};
+}
+
+Status in_words(const Editor& editor, const Solving& solving) {
+  const Document& document = editor.document();
+  if (document.is_empty()) return {StatusKind::empty, "Nothing is open"};
+  if (document.handles.empty()) return {StatusKind::ready, "Ready"};
+  if (!solving.error().empty() && solving.state() != SolvingState::held)
+    return {StatusKind::failed, solving.error()};
+  switch (solving.state()) {
+    case SolvingState::running: return {StatusKind::solving, solving_words(editor)};
+    case SolvingState::paused: return {StatusKind::paused, "Paused"};
+    case SolvingState::stopped: return {StatusKind::stopped, "Stopped"};
+    case SolvingState::held:
+    case SolvingState::finished: break;
+  }
+  return ended(document);
+}
+
+}  // namespace
+
+Status Editor::status() const {
+  Status status = in_words(*this, solving_);
+  for (const HandleView& handle : handle_views())
+    status.residual = std::max(status.residual, handle.residual);
+  return status;
+}
+
+}  // namespace foldless

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/picking.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace foldless {
+namespace {
+
+/// Barycentric coordinates of a point in a deformed triangle.
+Eigen::Vector3d barycentric_in(const Snapshot& pose, int triangle, const Vec2& world) {
+  const Eigen::Vector3i t = pose.triangles->col(triangle);
+  const Vec2 a = pose.deformed.col(t[0]);
+  const Vec2 b = pose.deformed.col(t[1]);
+  const Vec2 c = pose.deformed.col(t[2]);
+  const Eigen::Vector3d areas(signed_area(world, b, c), signed_area(a, world, c),
+                              signed_area(a, b, world));
+  return areas / areas.sum();
+}
+
+/// The nearest of some vertices within the hit radius of a pixel.
+class NearestVertex {
+ public:
+  NearestVertex(const Snapshot& pose, const Canvas& canvas, const Vec2& pixel)
+      : pose_(pose), canvas_(canvas), pixel_(pixel), distance_(canvas.hit_radius()) {}
+
+  void offer(int vertex) {
+    const double d = (canvas_.to_pixel(pose_.deformed.col(vertex)) - pixel_).norm();
+    if (d > distance_) return;
+    distance_ = d;
+    vertex_ = vertex;
+  }
+  std::optional<int> result() const { return vertex_; }
+
+ private:
+  const Snapshot& pose_;
+  const Canvas& canvas_;
+  Vec2 pixel_;
+  double distance_;
+  std::optional<int> vertex_;
+};
+
+}  // namespace
+
+std::optional<HandleHit> pick_handle(const Snapshot* shown, const Canvas& canvas,
+                                     const Vec2& pixel) {
+  std::optional<HandleHit> hit;
+  if (!shown) return hit;
+  double nearest = canvas.hit_radius();
+  const auto offer = [&](const Vec2& world, HandleHit candidate) {
+    const double d = (canvas.to_pixel(world) - pixel).norm();
+    if (d > nearest || (hit && d == nearest)) return;
+    nearest = d;
+    hit = candidate;
+  };
+  for (const Handle& handle : shown->handles)
+    offer(shown->deformed.col(handle.vertex), {handle.id, false});
+  for (const Handle& handle : shown->handles) offer(handle.target, {handle.id, true});
+  return hit;
+}
+
+std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const PixelBox& box) {
+  std::vector<int> ids;
+  if (!shown) return ids;
+  for (const Handle& handle : shown->handles)
+    if (box.contains(canvas.to_pixel(shown->deformed.col(handle.vertex)))) ids.push_back(handle.id);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+std::optional<int> triangle_at(const Snapshot& pose, const Vec2& world) {
+  const Triangles& triangles = *pose.triangles;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const Vec2 a = pose.deformed.col(triangles(0, t));
+    const Vec2 b = pose.deformed.col(triangles(1, t));
+    const Vec2 c = pose.deformed.col(triangles(2, t));
+    if (signed_area(a, b, world) >= 0 && signed_area(b, c, world) >= 0 &&
+        signed_area(c, a, world) >= 0)
+      return static_cast<int>(t);
+  }
+  return std::nullopt;
+}
+
+std::optional<MeshHit> pick_mesh(const Snapshot* shown, const Canvas& canvas, const Vec2& pixel) {
+  if (!shown) return std::nullopt;
+  const Snapshot& pose = *shown;
+  const Vec2 world = canvas.to_world(pixel);
+  const std::optional<int> triangle = triangle_at(pose, world);
+  MeshHit hit;
+  NearestVertex nearest(pose, canvas, pixel);
+  if (triangle) {
+    hit.triangle = *triangle;
+    hit.barycentric = barycentric_in(pose, *triangle, world);
+    for (const int v : pose.triangles->col(*triangle)) nearest.offer(v);
+  }
+  // Where sheets of the mesh lie over each other, the corners of the triangle come first.
+  if (!nearest.result())
+    for (const int v : pose.triangles->reshaped()) nearest.offer(v);
+  hit.vertex = nearest.result();
+  if (!hit.vertex && !triangle) return std::nullopt;
+  return hit;
+}
+
+}  // namespace foldless

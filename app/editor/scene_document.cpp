@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/scene_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace foldless {
+namespace {
+
+using nlohmann::json;
+
+/// The number under a key when it is there, finite and within bounds.
+std::optional<double> number(const json& object, const char* key, double minimum, double maximum) {
+  const auto it = object.find(key);
+  if (it == object.end() || !it->is_number()) return std::nullopt;
+  const double value = it->get<double>();
+  if (!(value >= minimum && value <= maximum)) return std::nullopt;
+  return value;
+}
+
+constexpr double kFar = 1e300;
+
+bool read_camera(const json& view, Camera& camera) {
+  const auto it = view.find("camera");
+  if (it == view.end() || !it->is_object()) return false;
+  const auto x = number(*it, "x", -kFar, kFar);
+  const auto y = number(*it, "y", -kFar, kFar);
+  const auto scale = number(*it, "pixels_per_unit", 1e-9, 1e9);
+  if (!x || !y || !scale) return false;
+  camera = {{*x, *y}, *scale};
+  return true;
+}
+
+}  // namespace
+
+Document document_of(const Scene& scene, const std::filesystem::path& file) {
+  Document document = document_of(Shape{scene.triangles, scene.rest}, file.stem().string());
+  if (scene.state)
+    document.pose =
+        pose_of(MeshPair(scene.state->triangles, scene.state->rest, scene.state->deformed),
+                *document.original);
+  document.handles = scene.handles;
+  for (const Handle& handle : scene.handles)
+    document.next_handle_id = std::max(document.next_handle_id, handle.id + 1);
+  document.energy = scene.energy;
+  document.parameters = scene.parameters;
+  if (!scene.texture_path.empty())
+    document.texture = (scene.folder / scene.texture_path).lexically_normal();
+  document.description = scene.description;
+  return document;
+}
+
+Scene scene_of(const Document& document, const std::filesystem::path& file,
+               std::shared_ptr<const json> view) {
+  Scene scene;
+  scene.folder = std::filesystem::absolute(file).lexically_normal().parent_path();
+  scene.triangles = document.original->triangles;
+  scene.rest = document.original->rest;
+  if (!document.texture.empty())
+    scene.texture_path = document.texture.lexically_proximate(scene.folder).generic_string();
+  scene.energy = document.energy;
+  scene.handles = document.handles;
+  scene.parameters = document.parameters;
+  const Snapshot& pose = *document.pose;
+  scene.state = SceneState{*pose.triangles, *pose.rest, pose.deformed};
+  scene.view = std::move(view);
+  scene.description = document.description;
+  return scene;
+}
+
+json view_json(const Camera& camera, const ViewOptions& options) {
+  json layers = json::array();
+  for (const LayerRow& row : kLayerRows)
+    if (options.layers.*row.shown) layers.push_back(row.name);
+  return {{"camera",
+           {{"x", camera.centre.x},
+            {"y", camera.centre.y},
+            {"pixels_per_unit", camera.pixels_per_unit}}},
+          {"layers", std::move(layers)},
+          {"checker_squares", options.checker_squares},
+          {"heat_measure", options.heat_measure == HeatMeasure::area ? "area" : "conformal"}};
+}
+
+bool read_view(const json& view, Camera& camera, ViewOptions& options) {
+  if (!view.is_object()) return false;
+  if (const auto it = view.find("layers"); it != view.end() && it->is_array())
+    for (const LayerRow& row : kLayerRows)
+      options.layers.*row.shown = std::find(it->begin(), it->end(), json(row.name)) != it->end();
+  if (const auto squares = number(view, "checker_squares", 1, 1e4))
+    options.checker_squares = *squares;
+  if (const auto it = view.find("heat_measure"); it != view.end())
+    options.heat_measure = *it == "area" ? HeatMeasure::area : HeatMeasure::conformal;
+  return read_camera(view, camera);
+}
+
+}  // namespace foldless

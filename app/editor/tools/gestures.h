@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/editor/edits.h"
+#include "app/editor/tool.h"
+
+namespace foldless {
+
+/// A button is down and the pointer has not yet moved beyond the drag threshold: a click, or the
+/// beginning of a drag.
+std::unique_ptr<Tool> make_press_tool(const PointerPressed& event,
+                                      const std::optional<HandleHit>& handle, bool is_on_mesh);
+
+/// What a drag of handles begins with.
+struct HandleDrag {
+  Vec2 from = Vec2::Zero();    ///< where the button went down [world]
+  std::vector<Target> starts;  ///< targets when it did
+  std::string label;           ///< of the undo step
+};
+
+/// Moves targets with the pointer until the left button is released. Precondition: begin_edit().
+std::unique_ptr<Tool> make_drag_tool(HandleDrag drag);
+
+/// How a rectangle changes the selection.
+enum class BandMode { replace, add, subtract };
+
+/// Spans a rectangle from a pixel until the left button is released.
+std::unique_ptr<Tool> make_band_tool(const Vec2& from, BandMode mode);
+
+/// Moves the view until the button is released.
+std::unique_ptr<Tool> make_pan_tool(const Vec2& from, Button button);
+
+}  // namespace foldless

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+#include <utility>
+
+#include "app/editor/editor.h"
+#include "app/editor/picking.h"
+#include "app/editor/tools/gestures.h"
+
+namespace foldless {
+namespace {
+
+/// Puts a handle under a pixel and selects it, between begin_edit() and commit(). Returns whether
+/// the document changed.
+bool place_at(Editor& editor, const MeshHit& hit) {
+  Placed placed = place_handle(editor.document(), hit);
+  if (placed.is_new) editor.apply(std::move(placed.document), Change::mesh);
+  editor.select({placed.id});
+  return placed.is_new;
+}
+
+class PressTool final : public Tool {
+ public:
+  PressTool(const PointerPressed& event, const std::optional<HandleHit>& handle, bool is_on_mesh)
+      : event_(event), handle_(handle), is_on_mesh_(is_on_mesh) {}
+
+  std::unique_ptr<Tool> move(Editor& editor, const PointerMoved& event) override {
+    if ((event.position - event_.position).norm() <= editor.canvas().drag_threshold())
+      return nullptr;
+    auto next = begin_drag(editor);
+    next->move(editor, event);
+    return next;
+  }
+
+  std::unique_ptr<Tool> release(Editor& editor, const PointerReleased& event) override {
+    if (event.button != event_.button) return nullptr;
+    click(editor);
+    return make_idle_tool();
+  }
+
+ private:
+  bool adds() const { return event_.modifiers.shift; }
+  bool subtracts() const { return event_.modifiers.control; }
+
+  void click(Editor& editor) {
+    std::set<int> selection = editor.selection();
+    if (handle_ && adds()) {
+      if (selection.erase(handle_->id) == 0) selection.insert(handle_->id);
+      editor.select(std::move(selection));
+    } else if (handle_ && subtracts()) {
+      selection.erase(handle_->id);
+      editor.select(std::move(selection));
+    } else if (handle_) {
+      editor.select({handle_->id});
+    } else if (!adds() && !subtracts()) {
+      click_on_bare_mesh(editor);
+    }
+  }
+
+  void click_on_bare_mesh(Editor& editor) {
+    const auto hit = pick_mesh(editor.shown().get(), editor.canvas(), event_.position);
+    if (!is_on_mesh_ || !hit) return editor.select({});
+    editor.begin_edit();
+    if (place_at(editor, *hit))
+      editor.commit("Place handle");
+    else
+      editor.abandon_edit();
+  }
+
+  std::unique_ptr<Tool> begin_drag(Editor& editor) {
+    if (handle_ && find_handle(editor.document(), handle_->id)) return drag_handle(editor);
+    const auto hit = pick_mesh(editor.shown().get(), editor.canvas(), event_.position);
+    if (is_on_mesh_ && hit && !adds() && !subtracts()) return place_and_drag(editor, *hit);
+    const BandMode mode = adds()        ? BandMode::add
+                          : subtracts() ? BandMode::subtract
+                                        : BandMode::replace;
+    return make_band_tool(event_.position, mode);
+  }
+
+  std::unique_ptr<Tool> drag_handle(Editor& editor) {
+    if (!editor.selection().contains(handle_->id)) {
+      std::set<int> selection = editor.selection();
+      if (!adds()) selection.clear();
+      selection.insert(handle_->id);
+      editor.select(std::move(selection));
+    }
+    editor.begin_edit();
+    return drag_selection(editor, editor.selection().size() == 1 ? "Move handle" : "Move handles");
+  }
+
+  std::unique_ptr<Tool> place_and_drag(Editor& editor, const MeshHit& hit) {
+    editor.begin_edit();
+    const bool is_new = place_at(editor, hit);
+    return drag_selection(editor, is_new ? "Place and move handle" : "Move handle");
+  }
+
+  /// A handle that was caught at its dot follows from there, all others from their targets.
+  std::unique_ptr<Tool> drag_selection(Editor& editor, std::string label) {
+    editor.clear_timeline();
+    const Document& document = editor.document();
+    HandleDrag drag{editor.canvas().to_world(event_.position), {}, std::move(label)};
+    for (const int id : editor.selection()) {
+      const Handle& handle = *find_handle(document, id);
+      const bool from_dot = handle_ && handle_->id == id && !handle_->is_target;
+      drag.starts.push_back({id, from_dot ? position_of(document, handle) : handle.target});
+    }
+    return make_drag_tool(std::move(drag));
+  }
+
+  PointerPressed event_;
+  std::optional<HandleHit> handle_;
+  bool is_on_mesh_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_press_tool(const PointerPressed& event,
+                                      const std::optional<HandleHit>& handle, bool is_on_mesh) {
+  return std::make_unique<PressTool>(event, handle, is_on_mesh);
+}
+
+}  // namespace foldless
