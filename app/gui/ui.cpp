@@ -247,8 +247,6 @@ CursorShape Ui::cursor() const {
 
 bool Ui::wants_to_quit() const { return parts_->state.wants_to_quit; }
 
-void Ui::set_scale(double scale) {
-  parts_->state.settings.scale = std::clamp(scale, kSmallestScale, kLargestScale);
-}
+Settings& Ui::settings() { return parts_->state.settings; }
 
 }  // namespace foldless

@@ -10,6 +10,7 @@
 #include "app/editor/editor.h"
 #include "app/gui/extent.h"
 #include "app/gui/layout.h"
+#include "app/gui/settings.h"
 #include "app/gui/ui_event.h"
 
 namespace foldless {
@@ -52,8 +53,8 @@ class Ui {
   CursorShape cursor() const;
   /// The user wants to leave, and nothing is unsaved.
   bool wants_to_quit() const;
-  /// The user's own scale factor, on top of the desktop's.
-  void set_scale(double scale);
+  /// What the user chose for all documents; change it freely between frames.
+  Settings& settings();
 
  private:
   struct Parts;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of the whole editor, drawn off screen: editor_pictures FOLDER
+// The README's picture comes from here; the others are for looking at after a change.
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+
+#include "app/gui/samples.h"
+#include "tests/app/gui/headless_editor.h"
+
+namespace foldless::test {
+namespace {
+
+constexpr Modifiers kControl{.control = true};
+
+/// Holds the last handle away from where it was, long enough for ghosts and a few iterations.
+void begin_drag(HeadlessEditor& headless, const Vec2& by) {
+  const Handle handle = headless.editor().document().handles.back();
+  const Vec2 from = headless.window_point(headless.position(handle.vertex));
+  headless.press(from);
+  headless.move(from + by / 2);
+  headless.move(from + by);
+}
+
+void end_drag(HeadlessEditor& headless, const Vec2& at) {
+  headless.release(at);
+  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  headless.calm_down();
+}
+
+/// Every dialog over a document that is open.
+void draw_dialogs(HeadlessEditor& headless, const std::filesystem::path& folder) {
+  const auto shoot = [&](const char* name) { save_png(folder / name, headless.picture()); };
+  headless.key(Key::f1);
+  shoot("cheat-sheet.png");
+  headless.key(Key::escape);
+  headless.key(Key::k, kControl);
+  headless.type("fit");
+  shoot("search.png");
+  headless.key(Key::escape);
+  headless.key(Key::o, kControl);
+  shoot("file-browser.png");
+  headless.key(Key::escape);
+  headless.key(Key::e, kControl);
+  shoot("export.png");
+  headless.key(Key::escape);
+  headless.click({20, 14});
+  shoot("menu.png");
+  headless.key(Key::escape);
+  headless.click({640, 400});
+  headless.editor().undo();
+  headless.editor().close();
+  headless.settle();
+  shoot("unsaved.png");
+  headless.key(Key::escape);
+}
+
+void draw_all(const std::filesystem::path& folder) {
+  HeadlessEditor headless;
+  const auto shoot = [&](const char* name) {
+    headless.settle();
+    save_png(folder / name, headless.picture());
+  };
+  shoot("empty.png");
+  headless.editor().open(welcome_scene());
+  headless.settle();
+  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  shoot("start.png");
+  const Vec2 by{-70, -130};
+  const Vec2 from =
+      headless.window_point(headless.position(headless.editor().document().handles.back().vertex));
+  headless.editor().set_pace(4);
+  begin_drag(headless, by);
+  headless.wait_until([&] { return headless.editor().iterations().size() >= 2; }, 5);
+  shoot("drag.png");
+  headless.editor().set_pace(std::nullopt);
+  end_drag(headless, from + by);
+  shoot("bent.png");
+  headless.editor().view().layers.heat = true;
+  headless.move(from + by * 0.5);
+  shoot("heat.png");
+  headless.ui().settings().theme = Theme::light;
+  shoot("heat-light.png");
+  headless.editor().view().layers.heat = false;
+  shoot("light.png");
+  headless.ui().settings().theme = Theme::contrast;
+  shoot("contrast.png");
+  headless.ui().settings().theme = Theme::dark;
+  headless.ui().settings().scale = 2;
+  shoot("narrow-200.png");
+  headless.ui().settings().scale = 1;
+  draw_dialogs(headless, folder);
+}
+
+void draw_hidpi(const std::filesystem::path& folder) {
+  HeadlessEditor headless({2560, 1600});
+  headless.set_content_scale(2);
+  headless.settle();
+  headless.editor().open(welcome_scene());
+  headless.settle();
+  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  headless.settle();
+  save_png(folder / "scale-200.png", headless.picture());
+}
+
+}  // namespace
+}  // namespace foldless::test
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: editor_pictures FOLDER\n";
+    return EXIT_FAILURE;
+  }
+  try {
+    std::filesystem::create_directories(argv[1]);
+    foldless::test::draw_all(argv[1]);
+    foldless::test::draw_hidpi(argv[1]);
+  } catch (const std::exception& error) {
+    std::cerr << "editor_pictures: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/gui/headless_editor.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+namespace foldless::test {
+namespace {
+
+constexpr double kFrameSeconds = 1.0 / 60;
+constexpr int kManyFrames = 50;
+
+}  // namespace
+
+HeadlessEditor::HeadlessEditor(Extent size, UiOptions options)
+    : size_(size), offscreen_(size.width, size.height), ui_(std::move(options)) {
+  settle();
+}
+
+void HeadlessEditor::frame() {
+  time_ += kFrameSeconds;
+  offscreen_.bind();
+  const Extent window{static_cast<int>(static_cast<float>(size_.width) / content_scale_),
+                      static_cast<int>(static_cast<float>(size_.height) / content_scale_)};
+  ui_.frame(editor_, {size_, window, content_scale_, time_});
+}
+
+void HeadlessEditor::settle() {
+  frame();
+  for (int i = 0; i < kManyFrames && ui_.next_frame(editor_, time_) == 0.0; ++i) frame();
+}
+
+bool HeadlessEditor::wait_until(const std::function<bool()>& done, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  while (!done()) {
+    if (Clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    frame();
+  }
+  settle();
+  return true;
+}
+
+void HeadlessEditor::calm_down() {
+  move({-100, -100});
+  ui_.receive(WindowLeft{});
+  time_ += 60;
+  settle();
+}
+
+void HeadlessEditor::send(InputEvent event) {
+  ui_.receive(std::move(event));
+  settle();
+}
+
+void HeadlessEditor::move(const Vec2& to) { send(PointerMoved{to, {}}); }
+
+void HeadlessEditor::press(const Vec2& at, Button button) {
+  move(at);
+  send(PointerPressed{button, at, {}});
+}
+
+void HeadlessEditor::release(const Vec2& at, Button button) {
+  send(PointerReleased{button, at, {}});
+}
+
+void HeadlessEditor::click(const Vec2& at) {
+  press(at);
+  release(at);
+}
+
+void HeadlessEditor::key(Key key, Modifiers modifiers) {
+  ui_.receive(ModifiersHeld{modifiers});
+  send(KeyPressed{key, modifiers, false});
+  send(KeyReleased{key});
+  ui_.receive(ModifiersHeld{});
+  settle();
+}
+
+void HeadlessEditor::type(std::string_view ascii) {
+  for (const char c : ascii) {
+    ui_.receive(CharacterTyped{static_cast<char32_t>(c)});
+    settle();
+  }
+}
+
+Vec2 HeadlessEditor::window_point(const Vec2& world) const {
+  const Rectangle& canvas = ui_.layout().canvas;
+  const Vec2 pixel = editor_.canvas().to_pixel(world) + Vec2(canvas.x, canvas.y);
+  return pixel / content_scale_;
+}
+
+Vec2 HeadlessEditor::position(int vertex) const { return editor_.shown()->deformed.col(vertex); }
+
+Image HeadlessEditor::picture() { return offscreen_.read(); }
+
+Image HeadlessEditor::canvas_picture() {
+  const Image whole = picture();
+  const Rectangle& canvas = ui_.layout().canvas;
+  Image part(static_cast<int>(canvas.width), static_cast<int>(canvas.height));
+  for (int y = 0; y < part.height; ++y)
+    std::memcpy(part.at(0, y), whole.at(static_cast<int>(canvas.x), static_cast<int>(canvas.y) + y),
+                4 * static_cast<std::size_t>(part.width));
+  return part;
+}
+
+int differing_pixels(const Image& a, const Image& b) {
+  int count = 0;
+  for (int y = 0; y < std::min(a.height, b.height); ++y)
+    for (int x = 0; x < std::min(a.width, b.width); ++x)
+      count += std::memcmp(a.at(x, y), b.at(x, y), 4) != 0;
+  return count;
+}
+
+}  // namespace foldless::test

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "app/editor/editor.h"
+#include "app/gui/ui.h"
+#include "render/image.h"
+#include "render/offscreen.h"
+
+namespace foldless::test {
+
+/// The whole editor without a window: events in, pixels out, in OSMesa.
+class HeadlessEditor {
+ public:
+  explicit HeadlessEditor(Extent size = {1280, 800}, UiOptions options = {});
+
+  Editor& editor() { return editor_; }
+  Ui& ui() { return ui_; }
+
+  /// Framebuffer pixels in a window coordinate and a design pixel, as on a HiDPI desktop.
+  void set_content_scale(float scale) { content_scale_ = scale; }
+
+  /// Draws until nothing is left to do but wait.
+  void settle();
+  /// Draws until `done`, at most `seconds` of real time. False when it never was.
+  bool wait_until(const std::function<bool()>& done, double seconds = 60);
+  /// Lets messages go away and the pointer leave, so that nothing but the document is on screen.
+  void calm_down();
+
+  // Input, positions in window coordinates.
+
+  void move(const Vec2& to);
+  void press(const Vec2& at, Button button = Button::left);
+  void release(const Vec2& at, Button button = Button::left);
+  void click(const Vec2& at);
+  void key(Key key, Modifiers modifiers = {});
+  void type(std::string_view ascii);
+
+  /// Where a point of the mesh's plane is in the window.
+  Vec2 window_point(const Vec2& world) const;
+  /// The newest position of a vertex.
+  Vec2 position(int vertex) const;
+
+  Image picture();
+  /// The canvas alone.
+  Image canvas_picture();
+
+ private:
+  void frame();
+  void send(InputEvent event);
+
+  Extent size_;
+  Offscreen offscreen_;
+  Editor editor_;
+  Ui ui_;
+  float content_scale_ = 1;
+  double time_ = 0;
+};
+
+/// How many pixels of two pictures of one size differ.
+int differing_pixels(const Image& a, const Image& b);
+
+}  // namespace foldless::test

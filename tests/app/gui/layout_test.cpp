@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/layout.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace foldless {
+namespace {
+
+double area(const Rectangle& r) { return static_cast<double>(r.width) * r.height; }
+
+bool overlap(const Rectangle& a, const Rectangle& b) {
+  return area(a) > 0 && area(b) > 0 && a.x < b.x + b.width && b.x < a.x + a.width &&
+         a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+class LayoutFor : public testing::TestWithParam<float> {};
+
+TEST_P(LayoutFor, FillsTheWindowWithoutOverlap) {
+  for (const Extent size : {Extent{1280, 800}, Extent{2560, 1600}, Extent{500, 360}}) {
+    const Layout l = layout_for(size, GetParam(), true);
+    const std::array parts{l.menu_bar, l.left, l.right, l.canvas, l.timeline, l.status_bar};
+    double sum = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      sum += area(parts[i]);
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_FALSE(overlap(parts[i], parts[j])) << i << " and " << j << " at " << size.width;
+    }
+    EXPECT_DOUBLE_EQ(sum, static_cast<double>(size.width) * size.height);
+  }
+}
+
+TEST_P(LayoutFor, LeavesTheCanvasAtLeastAThirdOfTheWidth) {
+  const Layout l = layout_for({1280, 800}, GetParam(), true);
+  EXPECT_GE(l.canvas.width, 1280 / 3);
+}
+
+TEST_P(LayoutFor, GivesTheWholeWidthToTheCanvasWithoutPanels) {
+  EXPECT_EQ(layout_for({1280, 800}, GetParam(), false).canvas.width, 1280);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scales, LayoutFor, testing::Values(0.75F, 1.0F, 1.5F, 2.0F, 3.0F));
+
+}  // namespace
+}  // namespace foldless

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/settings.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+namespace foldless {
+namespace {
+
+class SettingsFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "foldless-set-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(SettingsFile, ComesBackAsItWasWritten) {
+  const Settings settings{.scale = 1.5, .theme = Theme::contrast, .shows_panels = false};
+  save_settings(folder_ / "new" / "settings.json", settings);
+  EXPECT_EQ(load_settings(folder_ / "new" / "settings.json"), settings);
+}
+
+TEST_F(SettingsFile, FallsBackOnDefaultsForWhatCannotBeUsed) {
+  EXPECT_EQ(load_settings(folder_ / "missing.json"), Settings{});
+  std::ofstream(folder_ / "bad.json") << "{\"scale\": \"big\", \"theme\": 7";
+  EXPECT_EQ(load_settings(folder_ / "bad.json"), Settings{});
+}
+
+TEST_F(SettingsFile, KeepsTheScaleInItsRange) {
+  std::ofstream(folder_ / "huge.json") << R"({"scale": 1e6})";
+  EXPECT_EQ(load_settings(folder_ / "huge.json").scale, kLargestScale);
+}
+
+}  // namespace
+}  // namespace foldless

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole program but its window, driven by mouse and keys: state and pixels at each stage.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/mesh/generate.h"
+#include "core/mesh/injective.h"
+#include "core/mesh/mesh_io.h"
+#include "tests/app/gui/headless_editor.h"
+
+namespace foldless::test {
+namespace {
+
+constexpr Modifiers kControl{.control = true};
+constexpr Modifiers kControlShift{.shift = true, .control = true};
+
+class WholeEditor : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "foldless-ui-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    const Shape shape = bar(4, 1, 5);
+    write_mesh(folder_ / "bar.obj", shape.triangles, shape.rest);
+    headless_.editor().open(folder_ / "bar.obj");
+    headless_.calm_down();
+    ASSERT_FALSE(headless_.editor().document().is_empty());
+    left_ = nearest_vertex({0, 0.5});
+    right_ = nearest_vertex({4, 0.5});
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  Editor& editor() { return headless_.editor(); }
+  int nearest_vertex(const Vec2& point) {
+    Eigen::Index nearest = 0;
+    (editor().shown()->deformed.colwise() - point).colwise().squaredNorm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+  }
+  void click_vertex(int vertex) {
+    headless_.click(headless_.window_point(headless_.position(vertex)));
+  }
+  bool is_valid() {
+    const Snapshot& shown = *editor().shown();
+    return is_injective(*shown.triangles, *shown.rest) &&
+           is_injective(*shown.triangles, shown.deformed);
+  }
+  void place_two_handles() {
+    click_vertex(left_);
+    click_vertex(right_);
+    headless_.calm_down();
+  }
+  /// Drags the right handle by (dx, dy) window coordinates and waits for the solver.
+  void drag_right_handle(const Vec2& by) {
+    const Vec2 from = headless_.window_point(headless_.position(right_));
+    headless_.press(from);
+    headless_.move(from + by / 2);
+    headless_.move(from + by);
+    headless_.release(from + by);
+    ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+    headless_.calm_down();
+  }
+  void save_by_keyboard(const std::filesystem::path& path) {
+    headless_.key(Key::s, kControl);
+    headless_.key(Key::a, kControl);
+    headless_.type(path.string());
+    headless_.key(Key::enter);
+    headless_.calm_down();
+  }
+
+  std::filesystem::path folder_;
+  HeadlessEditor headless_;
+  int left_ = 0;
+  int right_ = 0;
+};
+
+TEST_F(WholeEditor, PlacesDragsConvergesUndoesRedoesSavesAndReloads) {
+  const Image empty = headless_.canvas_picture();
+
+  place_two_handles();
+  ASSERT_EQ(editor().document().handles.size(), 2U);
+  const Image placed = headless_.canvas_picture();
+  EXPECT_GT(differing_pixels(empty, placed), 50) << "two handles should be seen";
+  EXPECT_LT(differing_pixels(empty, placed), 5000) << "and nothing else should change";
+  const Points before = editor().shown()->deformed;
+
+  const Vec2 target = editor().canvas().to_world(
+      editor().canvas().to_pixel(headless_.position(right_)) + Vec2(-60, -150));
+  drag_right_handle({-60, -150});
+  EXPECT_EQ(editor().status().kind, StatusKind::converged) << editor().status().words;
+  EXPECT_LT((headless_.position(right_) - target).norm(), 1e-4);
+  EXPECT_EQ(editor().proof().inverted, 0);
+  EXPECT_TRUE(is_valid());
+  const Points bent = editor().shown()->deformed;
+  const Image bent_picture = headless_.canvas_picture();
+  EXPECT_GT(differing_pixels(placed, bent_picture), 5000) << "the mesh should have moved";
+
+  headless_.key(Key::z, kControl);
+  headless_.calm_down();
+  EXPECT_EQ(editor().shown()->deformed, before);
+  EXPECT_EQ(differing_pixels(headless_.canvas_picture(), placed), 0);
+
+  headless_.key(Key::z, kControlShift);
+  headless_.calm_down();
+  EXPECT_EQ(editor().shown()->deformed, bent);
+  EXPECT_EQ(differing_pixels(headless_.canvas_picture(), bent_picture), 0);
+
+  const auto file = folder_ / "bent.json";
+  EXPECT_TRUE(editor().is_dirty());
+  save_by_keyboard(file);
+  ASSERT_TRUE(std::filesystem::exists(file));
+  EXPECT_FALSE(editor().is_dirty());
+
+  headless_.key(Key::n, kControl);
+  headless_.calm_down();
+  EXPECT_TRUE(editor().document().is_empty());
+  headless_.key(Key::o, kControl);
+  headless_.type(file.string());
+  headless_.key(Key::enter);
+  headless_.calm_down();
+  ASSERT_FALSE(editor().document().is_empty());
+  EXPECT_EQ(editor().document().handles.size(), 2U);
+  EXPECT_EQ(editor().shown()->deformed, bent);
+  EXPECT_EQ(differing_pixels(headless_.canvas_picture(), bent_picture), 0);
+}
+
+TEST_F(WholeEditor, ShowsTheGhostWhileDraggingAndEscapeTakesTheDragBack) {
+  place_two_handles();
+  const Points before = editor().shown()->deformed;
+  const Vec2 from = headless_.window_point(headless_.position(right_));
+  headless_.press(from);
+  headless_.move(from + Vec2(0, -40));
+  headless_.move(from + Vec2(0, -120));
+  EXPECT_TRUE(editor().is_editing());
+  headless_.key(Key::escape);
+  EXPECT_FALSE(editor().is_editing());
+  headless_.release(from + Vec2(0, -120));
+  headless_.calm_down();
+  EXPECT_EQ(editor().shown()->deformed, before);
+  EXPECT_EQ(editor().document().handles.size(), 2U);
+}
+
+TEST_F(WholeEditor, ClicksOnPanelsDoNotReachTheCanvas) {
+  const Layout& layout = headless_.ui().layout();
+  headless_.click({layout.right.x + 100, layout.right.y + layout.right.height - 20});
+  headless_.click({layout.menu_bar.width - 40, 10});
+  EXPECT_TRUE(editor().document().handles.empty());
+}
+
+TEST_F(WholeEditor, AsksBeforeUnsavedChangesAreLost) {
+  place_two_handles();
+  headless_.key(Key::q, kControl);
+  EXPECT_FALSE(headless_.ui().wants_to_quit());
+  ASSERT_NE(editor().question(), nullptr);
+  headless_.key(Key::escape);
+  EXPECT_EQ(editor().question(), nullptr);
+  EXPECT_FALSE(headless_.ui().wants_to_quit());
+  EXPECT_EQ(editor().document().handles.size(), 2U);
+}
+
+TEST_F(WholeEditor, WritesNumberedPicturesOfTheCanvas) {
+  place_two_handles();
+  save_by_keyboard(folder_ / "shot.json");
+  headless_.key(Key::f12);
+  headless_.key(Key::f12);
+  const Image picture = load_image(folder_ / "shot-0002.png");
+  EXPECT_EQ(picture.width, editor().canvas().width);
+  EXPECT_EQ(picture.height, editor().canvas().height);
+  EXPECT_EQ(read_png_texts(folder_ / "shot-0001.png").at("Scene"),
+            (folder_ / "shot.json").string());
+}
+
+TEST_F(WholeEditor, FindsAndRunsACommandByItsLetters) {
+  headless_.key(Key::k, kControl);
+  headless_.type("heat map");
+  EXPECT_FALSE(editor().view().layers.heat) << "typing must not switch layers";
+  headless_.key(Key::enter);
+  EXPECT_TRUE(editor().view().layers.heat);
+}
+
+TEST_F(WholeEditor, HitsTheSamePlacesAtTwiceTheScale) {
+  headless_.set_content_scale(2);
+  headless_.settle();
+  editor().fit_all();
+  place_two_handles();
+  ASSERT_EQ(editor().document().handles.size(), 2U);
+  EXPECT_EQ(editor().document().handles[0].vertex, left_);
+  EXPECT_EQ(editor().document().handles[1].vertex, right_);
+}
+
+}  // namespace
+}  // namespace foldless::test

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real program in a real window on a virtual display, with a real mouse.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/mesh/injective.h"
+#include "core/scene/scene_io.h"
+
+namespace foldless {
+namespace {
+
+using namespace std::chrono_literals;
+
+bool is_installed(const std::string& program) {
+  return std::system(("command -v " + program + " > /dev/null 2>&1").c_str()) == 0;
+}
+
+/// A program that is ended with the test.
+class Child {
+ public:
+  explicit Child(const std::vector<std::string>& words) {
+    pid_ = fork();
+    if (pid_ != 0) return;
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    execvp(arguments[0], arguments.data());
+    _exit(127);
+  }
+  ~Child() {
+    if (pid_ <= 0) return;
+    kill(pid_, SIGTERM);
+    waitpid(pid_, nullptr, 0);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  bool is_running() {
+    if (pid_ > 0 && waitpid(pid_, &status_, WNOHANG) == pid_) pid_ = -1;
+    return pid_ > 0;
+  }
+  int status() const { return status_; }
+  pid_t pid() const { return pid_; }
+
+ private:
+  pid_t pid_ = -1;
+  int status_ = 0;
+};
+
+template <class Condition>
+bool wait_for(Condition condition, std::chrono::seconds most = 60s) {
+  const auto end = std::chrono::steady_clock::now() + most;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(50ms);
+  }
+  return true;
+}
+
+std::string output_of(const std::string& command) {
+  FILE* pipe = popen(command.c_str(), "r");
+  std::string text;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
+  pclose(pipe);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+class RealWindow : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!is_installed("Xvfb") || !is_installed("xdotool"))
+      GTEST_SKIP() << "needs Xvfb and xdotool (packages xvfb and xdotool)";
+    std::string name = (std::filesystem::temp_directory_path() / "foldless-x-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    start_display();
+    setenv("XDG_STATE_HOME", folder_.c_str(), 1);
+    scene_ = folder_ / "bar.json";
+    write_scene();
+  }
+  void TearDown() override {
+    if (!folder_.empty()) std::filesystem::remove_all(folder_);
+  }
+
+  /// Xvfb chooses a free display and tells which.
+  void start_display() {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    server_ = std::make_unique<Child>(std::vector<std::string>{
+        "Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x800x24"});
+    close(ends[1]);
+    std::string number;
+    for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';) number += c;
+    close(ends[0]);
+    ASSERT_FALSE(number.empty()) << "Xvfb did not start";
+    setenv("DISPLAY", (":" + number).c_str(), 1);
+  }
+
+  /// A bar that is held at its left end and fills the middle of the canvas.
+  void write_scene() {
+    nlohmann::json vertices = nlohmann::json::array(), triangles = nlohmann::json::array();
+    constexpr int kColumns = 12, kRows = 6;
+    for (int j = 0; j <= kRows; ++j)
+      for (int i = 0; i <= kColumns; ++i) vertices.push_back({i, j});
+    for (int j = 0; j < kRows; ++j)
+      for (int i = 0; i < kColumns; ++i) {
+        const int a = j * (kColumns + 1) + i, b = a + kColumns + 1;
+        triangles.push_back({a, a + 1, b + 1});
+        triangles.push_back({a, b + 1, b});
+      }
+    const nlohmann::json scene{{"version", 1},
+                               {"mesh", {{"vertices", vertices}, {"triangles", triangles}}},
+                               {"energy", "arap"},
+                               {"handles",
+                                {{{"vertex", 0}, {"target", {0, 0}}},
+                                 {{"vertex", kRows * (kColumns + 1)}, {"target", {0, kRows}}}}}};
+    std::ofstream(scene_) << scene;
+  }
+
+  void start_program() {
+    program_ = std::make_unique<Child>(std::vector<std::string>{FOLDLESS_PROGRAM, scene_.string()});
+    ASSERT_TRUE(wait_for([this] {
+      window_ = output_of("xdotool search --onlyvisible --class foldless 2>/dev/null | head -n 1");
+      return !window_.empty();
+    })) << "no window appeared";
+    tool("mousemove --window " + window_ + " 500 60");
+    std::this_thread::sleep_for(1s);
+  }
+
+  void tool(const std::string& words) {
+    ASSERT_EQ(std::system(("xdotool " + words).c_str()), 0) << words;
+  }
+  /// Moves the pointer in small steps, as a hand does.
+  void drag(int x, int y, int dx, int dy) {
+    constexpr int kSteps = 10;
+    tool("mousemove " + std::to_string(x) + " " + std::to_string(y) + " sleep 0.2 mousedown 1");
+    for (int i = 1; i <= kSteps; ++i)
+      tool("sleep 0.05 mousemove " + std::to_string(x + dx * i / kSteps) + " " +
+           std::to_string(y + dy * i / kSteps));
+    tool("sleep 0.2 mouseup 1");
+  }
+
+  std::filesystem::path folder_;
+  std::filesystem::path scene_;
+  std::unique_ptr<Child> server_;
+  std::unique_ptr<Child> program_;
+  std::string window_;
+};
+
+TEST_F(RealWindow, MouseDragBendsTheMeshAndSavingKeepsIt) {
+  ASSERT_NO_FATAL_FAILURE(start_program());
+  const auto written = std::filesystem::last_write_time(scene_);
+  ASSERT_NO_FATAL_FAILURE(drag(640, 400, 40, 120));
+  std::this_thread::sleep_for(2s);
+  ASSERT_NO_FATAL_FAILURE(tool("key --clearmodifiers ctrl+s"));
+  ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }, 20s))
+      << "Ctrl+S saved nothing";
+
+  const Scene scene = load_scene(scene_);
+  EXPECT_EQ(scene.handles.size(), 3U) << "the press should have placed a handle";
+  ASSERT_TRUE(scene.state.has_value());
+  const double moved = (scene.state->deformed - scene.state->rest).colwise().norm().maxCoeff();
+  EXPECT_GT(moved, 0.5) << "the drag should have bent the mesh";
+  EXPECT_TRUE(is_injective(scene.state->triangles, scene.state->rest));
+  EXPECT_TRUE(is_injective(scene.state->triangles, scene.state->deformed));
+}
+
+TEST_F(RealWindow, CtrlQLeavesAtOnceWhenNothingIsUnsaved) {
+  ASSERT_NO_FATAL_FAILURE(start_program());
+  ASSERT_NO_FATAL_FAILURE(tool("key --clearmodifiers ctrl+q"));
+  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
+  EXPECT_EQ(program_->status(), 0);
+}
+
+TEST(NoDisplay, EditorSaysSoInOneLineAndEndsWithStatus2) {
+  const std::string output = output_of("env -u DISPLAY " FOLDLESS_PROGRAM " 2>&1; echo status $?");
+  EXPECT_NE(output.find("display"), std::string::npos) << output;
+  EXPECT_NE(output.find("foldless solve"), std::string::npos) << output;
+  EXPECT_NE(output.find("status 2"), std::string::npos) << output;
+  EXPECT_EQ(std::count(output.begin(), output.end(), '\n'), 1) << output;
+}
+
+}  // namespace
+}  // namespace foldless
