@@ -17,7 +17,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${PREFIX})
 run(0 ${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${PREFIX})
-run(0 ${PROGRAM} solve ${DATA}/assets/scenes/bar.json -o ${OUT} --quiet)
+run(0 ${PROGRAM} solve ${DATA}/assets/scenes/figure3_flipped_edges.json -o ${OUT} --quiet)
 run(0 ${PROGRAM} check ${OUT}/rest.obj ${OUT}/deformed.obj)
 run(0 ${PROGRAM} render ${OUT} -o ${OUT}/picture.png)
 
