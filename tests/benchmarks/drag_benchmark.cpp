@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frame times of the whole editor, off screen, while a handle of a mesh is dragged round and the
+// solver works behind it. The argument is the number of triangles.
+#include <benchmark/benchmark.h>
+
+#include <glad/gl.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <thread>
+#include <vector>
+
+#include "app/editor/editor.h"
+#include "app/gui/ui.h"
+#include "render/offscreen.h"
+#include "tests/benchmarks/turned_disk.h"
+
+namespace foldless::benchmarks {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr Extent kSize{1280, 800};
+constexpr std::chrono::duration<double> kRefresh{1.0 / 60};
+constexpr int kFrames = 300;
+
+/// The editor off screen at the pace of a display.
+class Stage {
+ public:
+  explicit Stage(int faces) : offscreen_(kSize.width, kSize.height) {
+    editor_.open_shape(disk(disk_of(faces)), "disk");
+    for (int i = 0; i < 10; ++i) frame();
+  }
+
+  /// Framebuffer pixel of a point of the plane.
+  Vec2 pixel(const Vec2& world) const {
+    const Rectangle& canvas = ui_.layout().canvas;
+    return editor_.canvas().to_pixel(world) + Vec2(canvas.x, canvas.y);
+  }
+  void send(const InputEvent& event) { ui_.receive(event); }
+  const Editor& editor() const { return editor_; }
+
+  /// Draws one picture, then waits for the next refresh. Seconds that the picture took.
+  double frame() {
+    const Clock::time_point start = Clock::now();
+    offscreen_.bind();
+    ui_.frame(editor_, {kSize, kSize, 1, std::chrono::duration<double>(start - start_).count()});
+    glFinish();
+    const std::chrono::duration<double> took = Clock::now() - start;
+    std::this_thread::sleep_for(kRefresh - took);
+    return took.count();
+  }
+
+ private:
+  Clock::time_point start_ = Clock::now();
+  Offscreen offscreen_;
+  Editor editor_;
+  Ui ui_;
+};
+
+void click(Stage& stage, const Vec2& at) {
+  stage.send(PointerMoved{at, {}});
+  stage.frame();
+  stage.send(PointerPressed{Button::left, at, {}});
+  stage.frame();
+  stage.send(PointerReleased{Button::left, at, {}});
+  stage.frame();
+}
+
+double percentile(std::vector<double> seconds, double fraction) {
+  const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(seconds.size() - 1));
+  std::ranges::nth_element(seconds, seconds.begin() + rank);
+  return 1000 * seconds[static_cast<std::size_t>(rank)];
+}
+
+void report(benchmark::State& state, const std::vector<double>& frames) {
+  state.counters["p50_ms"] = percentile(frames, 0.5);
+  state.counters["p95_ms"] = percentile(frames, 0.95);
+  state.counters["max_ms"] = percentile(frames, 1);
+}
+
+/// Two handles hold the disk at its sides, a third in the middle goes round.
+void drag(benchmark::State& state) {
+  Stage stage(static_cast<int>(state.range(0)));
+  click(stage, stage.pixel({-0.4, 0}));
+  click(stage, stage.pixel({0.4, 0}));
+  const Vec2 middle = stage.pixel({0, 0});
+  const double radius = 0.2 * (stage.pixel({1, 0}) - middle).norm();
+  std::vector<double> frames;
+  std::size_t iterations = 0;
+  for (auto _ : state) {
+    stage.send(PointerMoved{middle, {}});
+    stage.frame();
+    stage.send(PointerPressed{Button::left, middle, {}});
+    for (int i = 0; i < kFrames; ++i) {
+      const double angle = 4 * std::numbers::pi * i / kFrames;
+      const Vec2 offset(radius * std::sin(angle), radius * (1 - std::cos(angle)));
+      stage.send(PointerMoved{middle + offset, {}});
+      frames.push_back(stage.frame());
+    }
+    iterations = stage.editor().iterations().size();
+    stage.send(PointerReleased{Button::left, middle, {}});
+    stage.frame();
+  }
+  report(state, frames);
+  state.counters["iterations"] = static_cast<double>(iterations);
+}
+BENCHMARK(drag)->Arg(500)->Arg(5000)->Arg(50000)->Iterations(1)->Unit(benchmark::kSecond);
+
+/// The same without a drag: what drawing alone costs.
+void draw(benchmark::State& state) {
+  Stage stage(static_cast<int>(state.range(0)));
+  std::vector<double> frames;
+  for (auto _ : state)
+    for (int i = 0; i < kFrames; ++i) frames.push_back(stage.frame());
+  report(state, frames);
+}
+BENCHMARK(draw)->Arg(500)->Arg(5000)->Arg(50000)->Iterations(1)->Unit(benchmark::kSecond);
+
+}  // namespace
+}  // namespace foldless::benchmarks
