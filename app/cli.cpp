@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli.h"
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "app/cli_calls.h"
+
+namespace foldless {
+namespace {
+
+/// Runs whatever was called.
+struct Runner {
+  const OpenEditor& open_editor;
+
+  int operator()(const EditorCall& call) const { return open_editor(call.file); }
+  int operator()(const SolveCall& call) const { return solve(call); }
+  int operator()(const RenderCall& call) const { return render(call); }
+  int operator()(const CheckCall& call) const { return check(call); }
+  int operator()(const TextCall& call) const {
+    std::cout << call.text;
+    return kExitDone;
+  }
+};
+
+/// One line, whatever the message.
+std::string line_of(std::string message) {
+  for (char& c : message)
+    if (c == '\n' || c == '\r') c = ' ';
+  return "foldless: " + message + '\n';
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv, const OpenEditor& open_editor) {
+  try {
+    return std::visit(Runner{open_editor}, parse_arguments(argc, argv));
+  } catch (const std::bad_alloc&) {
+    std::cerr << "foldless: not enough memory\n";
+  } catch (const std::exception& error) {
+    std::cerr << line_of(error.what());
+  } catch (...) {
+    std::cerr << "foldless: failed for an unknown reason\n";
+  }
+  return kExitBadInput;
+}
+
+}  // namespace foldless

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "app/cli_calls.h"
+#include "core/data_path.h"
+#include "core/energy/densities.h"
+#include "core/error.h"
+#include "core/mesh/text_lines.h"
+#include "core/method/methods.h"
+#include "core/scene/parameter_keys.h"
+
+namespace foldless {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A number option that sets a parameter.
+struct NumberOption {
+  const char* flag;
+  std::string_view key;
+  const char* help;
+};
+
+constexpr std::array kNumberOptions{
+    NumberOption{"--alpha", "alpha", "weight of the penalty for handles off their targets"},
+    NumberOption{"--beta", "beta", "weight of the barrier against inversion"},
+    NumberOption{"--delta", "delta", "smallest area ratio of a triangle, in (0, 1)"},
+    NumberOption{"--eta", "eta", "smallest relative decrease of energy that flips an edge"},
+    NumberOption{"--inner", "inner_iterations", "most iterations of the inner loop"},
+    NumberOption{"--outer", "outer_iterations", "most rounds of the outer loop"},
+};
+
+template <typename Rows>
+std::string names_of(const Rows& rows) {
+  std::string names;
+  for (const auto& row : rows) names += (names.empty() ? "" : ", ") + std::string(row.name);
+  return names;
+}
+
+template <typename Rows>
+void expect_name(const char* flag, const std::string& name, const Rows& rows) {
+  if (name.empty() || std::ranges::find(rows, name, [](const auto& row) { return row.name; }) !=
+                          std::ranges::end(rows))
+    return;
+  throw Error(std::string(flag) + " " + in_quotes(name) +
+              " is unknown; choose one of: " + names_of(rows));
+}
+
+int positive_integer(std::string_view text, const std::string& what) {
+  const auto number = parse_integer(text);
+  if (!number || *number < 1) throw Error(what + ", not " + in_quotes(text));
+  return *number;
+}
+
+/// A sample that the examples of the help name, by its path where it is installed.
+std::string sample() {
+  constexpr std::string_view kSample = "assets/scenes/bar_bend.json";
+  try {
+    return data_path(kSample).lexically_normal().string();
+  } catch (const Error&) {
+    return std::string(kSample);
+  }
+}
+
+/// The options of one call as text, until they are read.
+struct Texts {
+  std::string frames, size, view, layers;
+  std::array<std::string, kNumberOptions.size()> numbers;
+};
+
+void read_solve(const Texts& texts, SolveCall& call) {
+  expect_name("--method", call.method, methods());
+  expect_name("--energy", call.energy, densities());
+  for (std::size_t i = 0; i < kNumberOptions.size(); ++i) {
+    const std::string& text = texts.numbers[i];
+    if (text.empty()) continue;
+    const NumberOption& option = kNumberOptions[i];
+    const auto value = parse_number(text);
+    if (!value) throw Error(std::string(option.flag) + " " + in_quotes(text) + " is not a number");
+    if (const auto no = objection(*find_parameter_key(option.key), *value))
+      throw Error(std::string(option.flag) + " " + *no + ", but is " + text);
+    call.parameters.push_back({std::string(option.key), *value});
+  }
+  if (texts.frames == "all")
+    call.frame_step = 1;
+  else if (!texts.frames.empty())
+    call.frame_step =
+        positive_integer(texts.frames, "--frames takes `all` or a number of 1 or more");
+  if (call.threads && *call.threads < 1) throw Error("--threads takes a number of 1 or more");
+}
+
+void read_size(const std::string& text, FigureOptions& figure) {
+  const std::size_t x = text.find('x');
+  const std::string what = "--size takes WIDTHxHEIGHT in pixels, such as 1200x900";
+  if (x == std::string::npos) throw Error(what + ", not " + in_quotes(text));
+  figure.width = positive_integer(std::string_view(text).substr(0, x), what);
+  figure.height = positive_integer(std::string_view(text).substr(x + 1), what);
+}
+
+FigureView read_view(const std::string& text) {
+  if (text == "deformed") return FigureView::deformed;
+  if (text == "rest") return FigureView::rest;
+  if (text == "both") return FigureView::both;
+  throw Error("--view takes deformed, rest or both, not " + in_quotes(text));
+}
+
+Layers read_layers(const std::string& text) {
+  Layers layers;
+  for (const LayerRow& row : kLayerRows) layers.*row.shown = false;
+  for (const std::string& name : CLI::detail::split(text, ',')) {
+    const auto row = std::ranges::find(kLayerRows, name, &LayerRow::name);
+    if (row == kLayerRows.end())
+      throw Error("--layers " + in_quotes(name) +
+                  " is unknown; choose among: " + names_of(kLayerRows));
+    layers.*(row->shown) = true;
+  }
+  return layers;
+}
+
+void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
+  if (!texts.size.empty()) read_size(texts.size, call.figure);
+  if (!texts.view.empty()) call.figure.view = read_view(texts.view);
+  if (!texts.layers.empty()) call.figure.style.layers = read_layers(texts.layers);
+  if (call.figure.samples < 1) throw Error("--samples takes a number of 1 or more");
+  if (is_transparent) call.figure.style.background = Background::transparent;
+}
+
+CLI::App* add_solve(CLI::App& app, SolveCall& call, Texts& texts) {
+  CLI::App* solve = app.add_subcommand("solve", "run the solver on a scene, without a window");
+  solve->add_option("SCENE", call.scene, "scene file (JSON)")->required();
+  solve->add_option("-o,--output", call.folder, "folder for what is written; made if need be")
+      ->required()
+      ->type_name("DIR");
+  solve->add_option("--method", call.method, "one of: " + names_of(methods()))->type_name("NAME");
+  solve->add_option("--energy", call.energy, "one of: " + names_of(densities()))->type_name("NAME");
+  for (std::size_t i = 0; i < kNumberOptions.size(); ++i)
+    solve->add_option(kNumberOptions[i].flag, texts.numbers[i], kNumberOptions[i].help)
+        ->type_name("NUMBER");
+  solve->add_option("--frames", texts.frames, "write all intermediate meshes, or every N-th")
+      ->type_name("all|N");
+  solve->add_flag("--render", call.render, "draw the result and every frame as PNG");
+  solve->add_option("--threads", call.threads, "threads for drawing; the solver itself uses one")
+      ->type_name("N");
+  solve->add_flag("--json", call.json, "print the report on stdout, and nothing else");
+  solve->add_flag("--quiet", call.quiet, "print nothing but errors");
+  return solve;
+}
+
+CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, bool& is_transparent) {
+  CLI::App* render = app.add_subcommand("render", "draw a scene or a solved folder off screen");
+  render->add_option("FILE", call.file, "scene, mesh, folder written by solve, or rest,deformed")
+      ->required();
+  render->add_option("-o,--output", call.picture, "picture to write")
+      ->required()
+      ->type_name("OUT.png");
+  render->add_option("--size", texts.size, "size in pixels, 1200x900 when absent")
+      ->type_name("WxH");
+  render->add_option("--view", texts.view, "deformed (when absent), rest or both")
+      ->type_name("VIEW");
+  render->add_option("--layers", texts.layers, "comma-separated: " + names_of(kLayerRows))
+      ->type_name("LIST");
+  render->add_option("--texture", call.texture, "image instead of the checkerboard")
+      ->type_name("IMAGE");
+  render->add_option("--samples", call.figure.samples, "samples a pixel, 4 when absent")
+      ->type_name("N");
+  render->add_flag("--transparent", is_transparent, "transparent background");
+  return render;
+}
+
+CLI::App* add_check(CLI::App& app, CheckCall& call) {
+  CLI::App* check = app.add_subcommand("check", "prove that a map is locally injective");
+  check->add_option("REST", call.rest, "rest mesh (OBJ, OFF, PLY)")->required();
+  check->add_option("DEFORMED", call.deformed, "the same triangles, deformed")->required();
+  check->add_option("SCENE", call.scene, "scene whose handles are checked too");
+  return check;
+}
+
+/// Every help ends with an example that can be pasted.
+void add_examples(CLI::App& app, const std::string& program) {
+  const std::string solved = program + " solve " + sample() + " -o bar_bend";
+  app.footer("Example:\n  " + program + " " + sample());
+  app.get_subcommand("solve")->footer("Example:\n  " + solved + " --frames all --render");
+  app.get_subcommand("render")->footer("Example:\n  " + program + " render " + sample() +
+                                       " -o bar_bend.png --view both");
+  app.get_subcommand("check")->footer("Example:\n  " + solved + " && " + program +
+                                      " check bar_bend/rest.obj bar_bend/deformed.obj");
+}
+
+}  // namespace
+
+Call parse_arguments(int argc, const char* const* argv) {
+  const std::string program = argc > 0 ? argv[0] : "foldless";
+  CLI::App app("Deforms planar meshes by dragged handles, and never folds them.", "foldless");
+  app.set_version_flag("--version", "foldless " FOLDLESS_VERSION);
+  EditorCall editor;
+  SolveCall solve_call;
+  RenderCall render_call;
+  CheckCall check_call;
+  Texts texts;
+  bool is_transparent = false;
+  app.add_option("FILE", editor.file,
+                 "scene, mesh or image to open in the editor; a sample when absent");
+  const CLI::App* solve = add_solve(app, solve_call, texts);
+  const CLI::App* render = add_render(app, render_call, texts, is_transparent);
+  const CLI::App* check = add_check(app, check_call);
+  add_examples(app, program);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return TextCall{app.help()};
+  } catch (const CLI::CallForVersion& version) {
+    return TextCall{std::string(version.what()) + '\n'};
+  } catch (const CLI::ParseError& error) {
+    throw Error(std::string(error.what()) + "; see " + program + " --help");
+  }
+  if (solve->parsed()) {
+    read_solve(texts, solve_call);
+    return solve_call;
+  }
+  if (render->parsed()) {
+    read_render(texts, is_transparent, render_call);
+    return render_call;
+  }
+  if (check->parsed()) return check_call;
+  return editor;
+}
+
+}  // namespace foldless

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "render/figure.h"
+
+namespace foldless {
+
+/// `foldless [FILE]`
+struct EditorCall {
+  std::optional<std::filesystem::path> file;
+};
+
+/// A parameter given on the command line: its key under `solver` of a scene file, and the value.
+struct ParameterOption {
+  std::string key;
+  double value;
+};
+
+/// `foldless solve SCENE -o DIR`
+struct SolveCall {
+  std::filesystem::path scene;
+  std::filesystem::path folder;
+  std::string method;                       ///< empty: that of the scene
+  std::string energy;                       ///< empty: that of the scene
+  std::vector<ParameterOption> parameters;  ///< instead of those of the scene
+  std::optional<int> frame_step;            ///< a frame every so many meshes; absent: no frames
+  bool render = false;                      ///< a picture of the result and of every frame
+  std::optional<int> threads;               ///< for drawing; absent: as many as there are cores
+  bool json = false;                        ///< the report on stdout, and nothing else
+  bool quiet = false;                       ///< nothing on stdout
+};
+
+/// `foldless render FILE -o OUT.png`
+struct RenderCall {
+  std::string file;  ///< a scene, a mesh, a solved folder, or `rest,deformed`
+  std::filesystem::path picture;
+  std::optional<std::filesystem::path> texture;  ///< instead of that of the scene
+  FigureOptions figure;
+};
+
+/// `foldless check REST DEFORMED [SCENE]`
+struct CheckCall {
+  std::filesystem::path rest;
+  std::filesystem::path deformed;
+  std::optional<std::filesystem::path> scene;
+};
+
+/// Text to print and nothing else to do: help or version.
+struct TextCall {
+  std::string text;
+};
+
+using Call = std::variant<EditorCall, SolveCall, RenderCall, CheckCall, TextCall>;
+
+/// What the arguments ask for. Throws Error on arguments that make no call.
+Call parse_arguments(int argc, const char* const* argv);
+
+/// The calls; they print, return the exit status, and throw Error on bad input.
+int solve(const SolveCall& call);
+int render(const RenderCall& call);
+int check(const CheckCall& call);
+
+}  // namespace foldless

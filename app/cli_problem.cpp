@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_problem.h"
+
+#include <iostream>
+#include <string_view>
+
+#include "core/method/methods.h"
+
+namespace foldless {
+
+LoadedScene load_scene_file(const std::filesystem::path& file) {
+  std::vector<std::string_view> names;
+  for (const MethodRow& row : methods()) names.push_back(row.name);
+  return load_scene(file, names);
+}
+
+Problem problem_of(const Scene& scene) {
+  Problem problem;
+  problem.mesh = scene.state
+                     ? MeshPair(scene.state->triangles, scene.state->rest, scene.state->deformed)
+                     : MeshPair(scene.triangles, scene.rest);
+  problem.energy = scene.energy;
+  problem.handles = scene.handles;
+  problem.parameters = scene.parameters;
+  problem.original = OriginalMesh{std::make_shared<const Triangles>(scene.triangles),
+                                  static_cast<int>(scene.rest.cols())};
+  return problem;
+}
+
+void print_notices(const std::vector<std::string>& notices) {
+  for (const std::string& notice : notices) std::cerr << "foldless: note: " << notice << '\n';
+}
+
+}  // namespace foldless

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/method/method.h"
+#include "core/scene/scene_io.h"
+
+namespace foldless {
+
+/// A scene file with the methods of this program; throws Error.
+LoadedScene load_scene_file(const std::filesystem::path& file);
+
+/// What a scene starts from: its state where it has one, else its mesh at rest.
+Problem problem_of(const Scene& scene);
+
+/// Prints `foldless: note: …` on stderr, one line each.
+void print_notices(const std::vector<std::string>& notices);
+
+}  // namespace foldless

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <utility>
+
+#include "app/cli.h"
+#include "app/cli_calls.h"
+#include "app/cli_problem.h"
+#include "app/cli_solved_folder.h"
+#include "core/error.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/text_lines.h"
+#include "core/run/original_edges.h"
+
+namespace foldless {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is drawn, and with which image.
+struct Subject {
+  Snapshot snapshot;
+  std::optional<fs::path> texture;
+};
+
+Snapshot snapshot_of(const Problem& problem) {
+  Snapshot snapshot;
+  snapshot.triangles = std::make_shared<const Triangles>(problem.mesh.triangles());
+  snapshot.rest = std::make_shared<const Points>(problem.mesh.rest());
+  snapshot.deformed = problem.mesh.deformed();
+  const OriginalMesh& original = *problem.original;
+  snapshot.flipped_edges = std::make_shared<const std::vector<Edge>>(
+      OriginalEdges(*original.triangles, original.vertices).flipped_in(*snapshot.triangles));
+  snapshot.original_vertices = original.vertices;
+  snapshot.handles = problem.handles;
+  return snapshot;
+}
+
+Subject subject_of(LoadedScene loaded) {
+  print_notices(loaded.notices);
+  const Scene& scene = loaded.scene;
+  Subject subject{snapshot_of(problem_of(scene)), std::nullopt};
+  if (!scene.texture_path.empty()) subject.texture = scene.folder / scene.texture_path;
+  return subject;
+}
+
+Subject read_subject(const std::string& file) {
+  if (fs::is_directory(file)) return {read_solved_folder(file), std::nullopt};
+  const std::size_t comma = file.find(',');
+  if (!fs::exists(file) && comma != std::string::npos)
+    return {read_pair(file.substr(0, comma), file.substr(comma + 1)), std::nullopt};
+  return subject_of(is_mesh_file(file) ? scene_from_mesh(file) : load_scene_file(file));
+}
+
+}  // namespace
+
+int render(const RenderCall& call) {
+  if (call.picture.extension() != ".png")
+    throw Error(call.picture.string() + ": pictures are written as PNG; end the name with .png");
+  Subject subject = read_subject(call.file);
+  if (call.texture) subject.texture = call.texture;
+  FigureOptions figure = call.figure;
+  if (subject.texture) figure.texture = load_image(*subject.texture);
+  save_png(call.picture, render_figure(subject.snapshot, figure),
+           {{"Software", "Foldless"}, {"Scene", call.file}});
+  return kExitDone;
+}
+
+}  // namespace foldless

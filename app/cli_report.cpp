@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_report.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "core/energy/positions.h"
+#include "core/mesh/injective.h"
+#include "core/mesh/quality.h"
+#include "core/mesh/text_lines.h"
+#include "core/scene/handle_kind.h"
+#include "core/scene/parameter_keys.h"
+
+namespace foldless {
+namespace {
+
+/// JSON has no word for what is not finite.
+JsonNode node_of(double value) {
+  if (!std::isfinite(value)) return {nullptr};
+  return {value};
+}
+
+JsonNode node_of(std::string_view text) { return {std::string(text)}; }
+
+JsonNode parameters_node(const Problem& problem) {
+  JsonNode::Object object;
+  for (const ParameterKey& key : parameter_keys()) {
+    // Only β may be absent: it then is the energy's own.
+    const double value = key.get(problem.parameters).value_or(problem.energy->default_beta);
+    if (key.kind == ParameterKind::flag)
+      object.emplace_back(key.name, JsonNode{value != 0});
+    else
+      object.emplace_back(key.name, node_of(value));
+  }
+  return {std::move(object)};
+}
+
+JsonNode energy_node(std::string_view name, const std::optional<Iteration>& state) {
+  const auto value = [&](double Iteration::*member) {
+    return state ? node_of((*state).*member) : JsonNode{nullptr};
+  };
+  return {JsonNode::Object{{"name", node_of(name)},
+                           {"distortion", value(&Iteration::distortion_energy)},
+                           {"barrier", value(&Iteration::barrier_energy)},
+                           {"penalty", value(&Iteration::penalty_energy)},
+                           {"total", value(&Iteration::energy)}}};
+}
+
+JsonNode seconds_node(const Solved& solved) {
+  const StageTimes& times = solved.times;
+  return {JsonNode::Object{{"total", node_of(solved.seconds)},
+                           {"assemble", node_of(times.assemble)},
+                           {"analyze", node_of(times.analyze)},
+                           {"factorize", node_of(times.factorize)},
+                           {"solve", node_of(times.solve)},
+                           {"line_search", node_of(times.line_search)},
+                           {"flip", node_of(times.flip)},
+                           {"split", node_of(times.split)},
+                           {"wall", node_of(solved.wall_seconds)}}};
+}
+
+int inverted_triangles(const Snapshot& snapshot) {
+  const InjectivityChecker checker(*snapshot.triangles, static_cast<int>(snapshot.rest->cols()));
+  int inverted = 0;
+  for (const Points* points : {snapshot.rest.get(), &snapshot.deformed}) {
+    const InjectivityReport report = checker.check(*points);
+    inverted += report.inverted + report.degenerate;
+  }
+  return inverted;
+}
+
+JsonNode edges_node(const std::vector<Edge>& edges) {
+  JsonNode::Array array;
+  for (const Edge& edge : edges)
+    array.push_back(
+        {JsonNode::Array{{static_cast<double>(edge[0])}, {static_cast<double>(edge[1])}}});
+  return {std::move(array)};
+}
+
+/// A column of iterations.csv: its name and its field.
+struct Column {
+  std::string_view name;
+  void (*append)(std::string& text, const Iteration& record);
+};
+
+template <auto Member>
+void append(std::string& text, const Iteration& record) {
+  append_number(text, record.*Member);
+}
+
+void append_phase(std::string& text, const Iteration& record) { text += name_of(record.phase); }
+
+constexpr std::array kColumns{
+    Column{"outer", append<&Iteration::outer>},
+    Column{"inner", append<&Iteration::inner>},
+    Column{"phase", append_phase},
+    Column{"E_d", append<&Iteration::distortion_energy>},
+    Column{"E_c", append<&Iteration::penalty_energy>},
+    Column{"E_b", append<&Iteration::barrier_energy>},
+    Column{"E", append<&Iteration::energy>},
+    Column{"gradient_norm_squared", append<&Iteration::gradient_norm_squared>},
+    Column{"handle_error_squared", append<&Iteration::handle_error_squared>},
+    Column{"step_infinity_norm", append<&Iteration::step_infinity_norm>},
+    Column{"mu", append<&Iteration::mu>},
+    Column{"step_length", append<&Iteration::step_length>},
+    Column{"flips", append<&Iteration::flips>},
+    Column{"splits", append<&Iteration::splits>},
+    Column{"min_area_ratio", append<&Iteration::min_area_ratio>},
+    Column{"seconds", append<&Iteration::seconds>},
+    Column{"factorizations", append<&Iteration::factorizations>},
+    Column{"updates", append<&Iteration::updates>},
+    Column{"conformal_distortion_max", append<&Iteration::max_conformal_distortion>},
+    Column{"conformal_distortion_mean", append<&Iteration::mean_conformal_distortion>},
+};
+
+}  // namespace
+
+JsonNode handles_node(const std::vector<Handle>& handles) {
+  JsonNode::Array array;
+  for (const Handle& handle : handles) {
+    JsonNode::Object object{
+        {"vertex", node_of(handle.vertex)},
+        {"target", {JsonNode::Array{node_of(handle.target.x()), node_of(handle.target.y())}}}};
+    if (handle.kind != HandleKind::drag)
+      object.emplace_back("kind", node_of(handle_kind_name(handle.kind)));
+    if (handle.kind == HandleKind::soft) object.emplace_back("weight", node_of(handle.weight));
+    array.push_back({std::move(object)});
+  }
+  return {std::move(array)};
+}
+
+JsonNode report_of(const Solved& solved) {
+  const Snapshot& state = *solved.snapshot;
+  const Iteration last = solved.iterations.empty() ? Iteration{} : solved.iterations.back();
+  const Quality quality = quality_of(*state.triangles, *state.rest, state.deformed);
+  return {JsonNode::Object{
+      {"scene", node_of(solved.scene)},
+      {"method", node_of(solved.problem.parameters.method)},
+      {"parameters", parameters_node(solved.problem)},
+      {"vertices", node_of(static_cast<double>(state.rest->cols()))},
+      {"faces", node_of(static_cast<double>(state.triangles->cols()))},
+      {"original_vertices", node_of(state.original_vertices)},
+      {"original_faces", node_of(solved.original_faces)},
+      {"outcome", node_of(name_of(solved.outcome))},
+      {"satisfied", {solved.satisfied}},
+      {"handle_error_squared",
+       node_of(handle_error_squared(positions_of(state.handles), state.deformed))},
+      {"factorizations", node_of(last.factorizations)},
+      {"updates", node_of(last.updates)},
+      {"iterations", node_of(static_cast<double>(solved.iterations.size()))},
+      {"outer_iterations", node_of(solved.iterations.empty() ? 0 : last.outer + 1)},
+      {"flips", node_of(last.flips)},
+      {"splits", node_of(last.splits)},
+      {"energy", energy_node(solved.problem.energy->name, state.iteration)},
+      {"gradient_norm_squared",
+       state.iteration ? node_of(state.iteration->gradient_norm_squared) : JsonNode{nullptr}},
+      {"conformal_distortion",
+       {JsonNode::Object{{"max", node_of(quality.max_conformal_distortion)},
+                         {"mean", node_of(quality.mean_conformal_distortion)}}}},
+      {"min_area_ratio", node_of(quality.min_area_ratio)},
+      {"inverted", node_of(inverted_triangles(state))},
+      {"seconds", seconds_node(solved)},
+      {"handles", handles_node(state.handles)},
+      {"flipped_edges", edges_node(*state.flipped_edges)},
+  }};
+}
+
+std::string iterations_csv(const std::vector<Iteration>& iterations) {
+  std::string text;
+  for (const Column& column : kColumns) {
+    text += column.name;
+    text += &column == &kColumns.back() ? '\n' : ',';
+  }
+  for (const Iteration& record : iterations)
+    for (const Column& column : kColumns) {
+      column.append(text, record);
+      text += &column == &kColumns.back() ? '\n' : ',';
+    }
+  return text;
+}
+
+}  // namespace foldless

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/method/method.h"
+#include "core/scene/json_node.h"
+
+namespace foldless {
+
+/// What a solve came to: all that its report tells. Input units.
+struct Solved {
+  std::string scene;  ///< path as given
+  Problem problem;    ///< what was solved
+  int original_faces = 0;
+  std::vector<Iteration> iterations;         ///< every record
+  std::shared_ptr<const Snapshot> snapshot;  ///< the last valid state
+  Outcome outcome = Outcome::cancelled;
+  bool satisfied = false;
+  StageTimes times;
+  double seconds = 0;       ///< processor time of solving
+  double wall_seconds = 0;  ///< time that went by, files and pictures included
+};
+
+/// The object of report.json. Energies and the gradient are those of the last valid state, and
+/// null before the first iteration; counters are those of the last iteration.
+JsonNode report_of(const Solved& solved);
+
+/// The text of iterations.csv: a line of column names, and one a record. E_c and E_b are weighted,
+/// so that E_d + E_c + E_b = E.
+std::string iterations_csv(const std::vector<Iteration>& iterations);
+
+/// The handles of a report, as a scene file has them.
+JsonNode handles_node(const std::vector<Handle>& handles);
+
+}  // namespace foldless

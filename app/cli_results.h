@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/cli_report.h"
+#include "render/figure.h"
+
+namespace foldless {
+
+/// The folder that `solve` writes into. Every file is replaced as a whole.
+class Results {
+ public:
+  /// Makes the folder and removes the frames of an earlier run from it. With `figure` there are
+  /// pictures as well. Throws Error when the folder cannot be made or written to.
+  Results(std::filesystem::path folder, std::optional<FigureOptions> figure);
+
+  /// Writes the next of frames/000000.obj …: M′ with the rest positions as `vt`, and its picture.
+  void add_frame(const Snapshot& snapshot);
+  /// Writes rest.obj, deformed.obj, iterations.csv and report.json, and the picture deformed.png.
+  void finish(const Solved& solved, const JsonNode& report);
+
+ private:
+  void draw(const Snapshot& snapshot, const std::filesystem::path& picture);
+
+  std::filesystem::path folder_;
+  std::optional<FigureOptions> figure_;
+  std::unique_ptr<FigureRenderer> renderer_;
+  int frames_ = 0;
+};
+
+}  // namespace foldless

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "app/cli.h"
+#include "app/cli_calls.h"
+#include "app/cli_interrupt.h"
+#include "app/cli_problem.h"
+#include "app/cli_report.h"
+#include "app/cli_results.h"
+#include "core/energy/densities.h"
+#include "core/run/run.h"
+#include "core/scene/parameter_keys.h"
+
+namespace foldless {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void apply_options(const SolveCall& call, Scene& scene) {
+  if (!call.method.empty()) scene.parameters.method = call.method;
+  if (!call.energy.empty()) scene.energy = find_density(call.energy);
+  for (const ParameterOption& option : call.parameters)
+    find_parameter_key(option.key)->set(scene.parameters, option.value);
+}
+
+std::optional<FigureOptions> figure_of(const SolveCall& call, const Scene& scene) {
+  if (!call.render) return std::nullopt;
+  // Read by Mesa's software renderer when its context is made.
+  if (call.threads) setenv("LP_NUM_THREADS", std::to_string(*call.threads).c_str(), 1);
+  FigureOptions figure;
+  if (!scene.texture_path.empty()) figure.texture = load_image(scene.folder / scene.texture_path);
+  return figure;
+}
+
+/// One line on stderr that is written over, a few times a second, where a person looks on.
+class Progress {
+ public:
+  explicit Progress(bool is_wanted) : is_shown_(is_wanted && isatty(STDERR_FILENO) == 1) {}
+  ~Progress() {
+    if (was_written_) std::cerr << "\r\033[K" << std::flush;
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(const Iteration& record) {
+    if (!is_shown_ || seconds_since(last_) < 0.2) return;
+    last_ = Clock::now();
+    was_written_ = true;
+    std::cerr << "\r\033[Kiteration " << record.updates << ", energy " << record.energy
+              << ", handle error " << std::sqrt(record.handle_error_squared) << std::flush;
+  }
+
+ private:
+  bool is_shown_;
+  bool was_written_ = false;
+  Clock::time_point last_ = Clock::now();
+};
+
+/// Does the task and adds its processor time to `seconds`.
+template <typename Task>
+auto timed(double& seconds, const Task& task) {
+  const StageTimer timer(seconds);
+  return task();
+}
+
+/// Steps a run to its end, or until the user interrupts, and writes frames on the way.
+class Loop {
+ public:
+  Loop(const SolveCall& call, Solved& solved, Results& results)
+      : call_(call), solved_(solved), results_(results), progress_(!call.quiet && !call.json) {}
+
+  void finish(const Interrupt& interrupt) {
+    Run run = timed(solved_.seconds, [&] { return Run(solved_.problem); });
+    take_frame(run.snapshot());
+    while (!run.outcome() && !interrupt.is_requested()) {
+      const std::optional<Iteration> record = timed(solved_.seconds, [&] { return run.step({}); });
+      if (!record) break;
+      solved_.iterations.push_back(*record);
+      progress_.show(*record);
+      take_frame(run.snapshot());
+    }
+    if (call_.frame_step && last_frame_ != run.snapshot()) results_.add_frame(*run.snapshot());
+    solved_.snapshot = run.snapshot();
+    solved_.outcome = run.outcome().value_or(Outcome::cancelled);
+    solved_.satisfied = run.is_satisfied();
+    solved_.times = run.times();
+  }
+
+ private:
+  /// Every mesh that was published anew, or every N-th of them.
+  void take_frame(const std::shared_ptr<const Snapshot>& snapshot) {
+    if (!call_.frame_step || snapshot == last_seen_) return;
+    last_seen_ = snapshot;
+    if (seen_++ % *call_.frame_step != 0) return;
+    results_.add_frame(*snapshot);
+    last_frame_ = snapshot;
+  }
+
+  const SolveCall& call_;
+  Solved& solved_;
+  Results& results_;
+  Progress progress_;
+  int seen_ = 0;
+  std::shared_ptr<const Snapshot> last_seen_;
+  std::shared_ptr<const Snapshot> last_frame_;
+};
+
+void print_summary(const SolveCall& call, const Solved& solved) {
+  const Iteration last = solved.iterations.empty() ? Iteration{} : solved.iterations.back();
+  std::cout << (solved.satisfied ? "every handle is at its target" : "handles are not all reached")
+            << " (" << name_of(solved.outcome) << "): " << last.updates << " updates, "
+            << last.factorizations << " factorizations, " << last.flips << " flips, "
+            << solved.seconds << " s; written to " << call.folder.string() << '\n';
+}
+
+int status_of(const Solved& solved) {
+  if (solved.outcome == Outcome::cancelled) return kExitInterrupted;
+  return solved.satisfied ? kExitDone : kExitNotSatisfied;
+}
+
+}  // namespace
+
+int solve(const SolveCall& call) {
+  const Clock::time_point start = Clock::now();
+  LoadedScene loaded = load_scene_file(call.scene);
+  Scene& scene = loaded.scene;
+  apply_options(call, scene);
+  const Interrupt interrupt;
+  Solved solved;
+  solved.scene = call.scene.string();
+  solved.problem = problem_of(scene);
+  solved.original_faces = static_cast<int>(scene.triangles.cols());
+  Results results(call.folder, figure_of(call, scene));
+  if (!call.quiet) print_notices(loaded.notices);
+  Loop(call, solved, results).finish(interrupt);
+  solved.wall_seconds = seconds_since(start);
+  const JsonNode report = report_of(solved);
+  results.finish(solved, report);
+  if (call.json)
+    std::cout << json_text(report);
+  else if (!call.quiet)
+    print_summary(call, solved);
+  return status_of(solved);
+}
+
+}  // namespace foldless
