@@ -14,11 +14,11 @@ std::string place(const std::string& name, const std::vector<int>& lines, int in
 }  // namespace
 
 std::string MeshSource::at_vertex(int v) const {
-  return place(name, vertex_lines, v) + "vertex " + number(v);
+  return place(name, vertex_lines, v) + part + "vertex " + number(v);
 }
 
 std::string MeshSource::at_face(int face) const {
-  return place(name, face_lines, face) + "face " + number(face);
+  return place(name, face_lines, face) + part + "face " + number(face);
 }
 
 std::string MeshSource::at_triangle(int t, const Triangles& triangles) const {

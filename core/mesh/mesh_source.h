@@ -13,7 +13,8 @@ namespace foldless {
 /// Where a mesh came from, so that a message can name a line, a vertex or a face as its author
 /// would.
 struct MeshSource {
-  std::string name;                   ///< the file, and the key inside it where there is one
+  std::string name;                   ///< the file
+  std::string part;                   ///< `state: `, which of the meshes in it; empty: the only one
   int first_index = 0;                ///< 1 where the file counts from one
   std::vector<int> vertex_lines;      ///< line of each vertex, from 1; empty: no lines
   std::vector<int> face_lines;        ///< line of each face, from 1; empty: no lines

@@ -66,7 +66,7 @@ class ObjReader {
       const auto index = parse_integer(word.substr(0, word.find('/')));
       if (!index)
         bad_corners_.add([&] {
-          return soup_.source.at_face(f) + " has the corner " + quoted(word) +
+          return soup_.source.at_face(f) + " has the corner " + in_quotes(word) +
                  ", which is not a vertex number";
         });
       soup_.corners.push_back(from_zero(index.value_or(1), f));

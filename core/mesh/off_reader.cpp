@@ -62,7 +62,7 @@ class OffReader {
   int expect_count(std::string_view word) const {
     const auto count = parse_integer(word);
     if (!count || *count < 0)
-      refuse_here("the numbers of vertices and faces are expected, not " + quoted(word));
+      refuse_here("the numbers of vertices and faces are expected, not " + in_quotes(word));
     return *count;
   }
 
@@ -72,7 +72,7 @@ class OffReader {
     Words rest = *words;
     std::string_view word = rest.next();
     if (!parse_number(word)) {
-      if (!is_header(word)) refuse_here("an OFF file begins with OFF, not with " + quoted(word));
+      if (!is_header(word)) refuse_here("an OFF file begins with OFF, not with " + in_quotes(word));
       word = rest.next();
       if (word == "BINARY") refuse_here("this OFF file is binary; save it as text");
       if (word.empty()) {
@@ -91,8 +91,9 @@ class OffReader {
     const std::string_view size = words.next();
     const int corners = parse_integer(size).value_or(-1);
     if (corners < 0)
-      bad_corners_.add(
-          [&] { return soup_.source.at_face(f) + " has the number of corners " + quoted(size); });
+      bad_corners_.add([&] {
+        return soup_.source.at_face(f) + " has the number of corners " + in_quotes(size);
+      });
     else if (corners < 3)
       short_faces_.add([&] {
         return soup_.source.at_face(f) + " has " +
@@ -107,7 +108,7 @@ class OffReader {
     const auto index = parse_integer(word);
     if (!index)
       bad_corners_.add([&] {
-        return soup_.source.at_face(f) + " has the corner " + quoted(word) +
+        return soup_.source.at_face(f) + " has the corner " + in_quotes(word) +
                ", which is not a vertex number";
       });
     soup_.corners.push_back(index.value_or(0));

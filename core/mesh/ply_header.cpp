@@ -28,7 +28,7 @@ class HeaderReader {
       else if (keyword == "property")
         read_property(words);
       else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info")
-        refuse("the header has the unknown word " + quoted(keyword));
+        refuse("the header has the unknown word " + in_quotes(keyword));
     }
     if (header_.format.empty()) refuse("the header does not give a format");
     header_.body = rest_;
@@ -54,7 +54,7 @@ class HeaderReader {
   void read_format(Words words) {
     const std::string_view format = words.next();
     if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-      refuse("the format " + quoted(format) + " is unknown");
+      refuse("the format " + in_quotes(format) + " is unknown");
     header_.format = format;
   }
 
@@ -64,7 +64,7 @@ class HeaderReader {
     const auto [end, error] =
         std::from_chars(count.data(), count.data() + count.size(), element.count);
     if (error != std::errc() || end != count.data() + count.size() || element.count < 0)
-      refuse("the element " + quoted(element.name) + " has the count " + quoted(count));
+      refuse("the element " + in_quotes(element.name) + " has the count " + in_quotes(count));
     header_.elements.push_back(std::move(element));
   }
 
@@ -73,7 +73,7 @@ class HeaderReader {
                                 "int8",  "uint8",  "int16",   "uint16", "int32", "uint32",
                                 "float", "double", "float32", "float64"};
     if (std::ranges::find(kTypes, type) == kTypes.end())
-      refuse("the type " + quoted(type) + " is unknown");
+      refuse("the type " + in_quotes(type) + " is unknown");
     return std::string(type);
   }
 

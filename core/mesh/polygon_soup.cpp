@@ -75,7 +75,7 @@ void check_repetitions(const PolygonSoup& soup) {
 
 void check_not_empty(const PolygonSoup& soup) {
   if (soup.face_count() > 0) return;
-  throw Error(soup.source.name + ": there are no faces (" +
+  throw Error(soup.source.name + ": " + soup.source.part + "there are no faces (" +
               counted(soup.vertices.size(), "vertex") +
               " and 0 faces in all); a mesh needs at least one triangle");
 }

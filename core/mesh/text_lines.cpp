@@ -78,7 +78,7 @@ std::optional<int> parse_integer(std::string_view word) {
 void append_number(std::string& text, double value) { append_shortest(text, value); }
 void append_number(std::string& text, int value) { append_shortest(text, value); }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   std::string text = "'";
   for (const char c : word.substr(0, kLongest)) text += c < ' ' || c > '~' ? '?' : c;

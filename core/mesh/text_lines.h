@@ -54,6 +54,6 @@ void append_number(std::string& text, double value);
 void append_number(std::string& text, int value);
 
 /// A word of a file inside quotation marks, fit for a message of one line.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 }  // namespace foldless

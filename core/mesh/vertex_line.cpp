@@ -16,7 +16,7 @@ void read_vertex_line(Words words, int line, PolygonSoup& soup, Offenders& unrea
     unreadable.add([&] {
       return soup.source.at_vertex(v) +
              (word.empty() ? " has only " + counted(k, "coordinate")
-                           : " has the coordinate " + quoted(word) + ", which is not a number");
+                           : " has the coordinate " + in_quotes(word) + ", which is not a number");
     });
     return;
   }

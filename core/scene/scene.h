@@ -24,10 +24,12 @@ struct SceneState {
 
 /// A scene file in memory (FORMATS: version 1). Everything is in input units.
 struct Scene {
-  std::string mesh_path;     ///< as written in the file, relative to the scene file; empty: inline
-  Triangles triangles;       ///< 3 × #F of the original mesh, validated
-  Points rest;               ///< 2 × #V of the original mesh
-  std::string texture_path;  ///< as written, relative to the scene file; empty: checkerboard
+  /// Absolute folder that `mesh_path` and `texture_path` are relative to: that of the scene file.
+  std::filesystem::path folder;
+  std::string mesh_path;            ///< as written in the file, relative to `folder`; empty: inline
+  Triangles triangles;              ///< 3 × #F of the original mesh, validated
+  Points rest;                      ///< 2 × #V of the original mesh
+  std::string texture_path;         ///< as written, relative to `folder`; empty: checkerboard
   const Density* energy = nullptr;  ///< a row of densities(); never null after loading
   std::vector<Handle> handles;  ///< vertices of the original mesh, or of `state` where there is one
   Parameters parameters;

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "core/atomic_file.h"
+#include "core/energy/densities.h"
+#include "core/mesh/mesh_io.h"
+#include "core/mesh/polygon_soup.h"
+#include "core/mesh/text_lines.h"
+#include "core/mesh/validate.h"
+#include "core/scene/handle_kind.h"
+#include "core/scene/json_value.h"
+#include "core/scene/parameter_keys.h"
+#include "core/scene/scene_io.h"
+
+namespace foldless {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<int> lines_of_items(const JsonValue& array) {
+  std::vector<int> lines;
+  for (const JsonNode& item : *array.node().as<JsonNode::Array>()) lines.push_back(item.line);
+  return lines;
+}
+
+TriangleSoup read_triangles(const JsonValue& vertices, const JsonValue& triangles,
+                            const std::string& file, std::string part) {
+  PolygonSoup soup;
+  const Points points = vertices.points();
+  for (const auto& p : points.colwise()) soup.vertices.push_back({p.x(), p.y(), 0});
+  const Triangles corners = triangles.triangles();
+  soup.corners.assign(corners.data(), corners.data() + corners.size());
+  for (Eigen::Index t = 0; t < corners.cols(); ++t)
+    soup.ends.push_back(static_cast<std::size_t>(3 * (t + 1)));
+  soup.source.name = file;
+  soup.source.part = std::move(part);
+  soup.source.vertex_lines = lines_of_items(vertices);
+  soup.source.face_lines = lines_of_items(triangles);
+  return planar_triangles(std::move(soup));
+}
+
+/// Reads one scene file, key by key.
+class SceneReader {
+ public:
+  SceneReader(const fs::path& file, std::span<const std::string_view> methods)
+      : file_(file), name_(file.string()), methods_(methods.begin(), methods.end()) {}
+
+  LoadedScene read() {
+    const JsonNode node = parse_json(read_file(file_), name_);
+    const JsonValue root(node, name_);
+    read_version(root);
+    root.allow_only(
+        {"version", "description", "mesh", "texture", "energy", "handles", "solver", "state"});
+    scene_.folder = fs::absolute(file_).parent_path();
+    if (const auto text = root.find("description")) scene_.description = text->text();
+    if (const auto path = root.find("texture")) scene_.texture_path = path->text();
+    read_energy(root.at("energy"));
+    if (const auto solver = root.find("solver")) read_solver(*solver);
+    read_mesh_of(root.at("mesh"));
+    if (const auto state = root.find("state")) read_state(*state);
+    if (const auto handles = root.find("handles")) read_handles(*handles);
+    return {std::move(scene_), std::move(notices_)};
+  }
+
+ private:
+  void read_version(const JsonValue& root) const {
+    const auto version = root.find("version");
+    if (!version) return;
+    const int number = version->integer();
+    if (number > kSceneVersion)
+      version->refuse("is " + version->shown() + ", but this program reads version " +
+                      std::to_string(kSceneVersion) + "; use a newer Foldless");
+    if (number < 1) version->refuse("is " + version->shown() + ", but versions begin with 1");
+  }
+
+  void read_energy(const JsonValue& energy) {
+    scene_.energy = find_density(energy.text());
+    if (scene_.energy) return;
+    std::vector<std::string_view> names;
+    for (const Density& density : densities()) names.push_back(density.name);
+    energy.refuse("is " + energy.shown() + ", which is unknown; known are " + listed(names));
+  }
+
+  void read_solver(const JsonValue& solver) {
+    std::vector<std::string_view> keys{"method"};
+    for (const ParameterKey& key : parameter_keys()) keys.push_back(key.name);
+    solver.allow_only(keys);
+    if (const auto method = solver.find("method")) read_method(*method);
+    for (const ParameterKey& key : parameter_keys())
+      if (const auto value = solver.find(key.name)) read_parameter(key, *value);
+  }
+
+  void read_method(const JsonValue& method) {
+    if (std::ranges::find(methods_, method.text()) == methods_.end())
+      method.refuse("is " + method.shown() + ", which is unknown; known are " + listed(methods_));
+    scene_.parameters.method = method.text();
+  }
+
+  void read_parameter(const ParameterKey& key, const JsonValue& value) {
+    const bool is_flag = key.kind == ParameterKind::flag;
+    const double number = is_flag ? (value.boolean() ? 1 : 0) : value.number();
+    if (const auto wrong = objection(key, number))
+      value.refuse("is " + value.shown() + ", but " + *wrong);
+    key.set(scene_.parameters, number);
+  }
+
+  void read_mesh_of(const JsonValue& mesh) {
+    if (mesh.node().as<std::string>()) {
+      scene_.mesh_path = mesh.text();
+      if (scene_.mesh_path.empty()) mesh.refuse("is '', but the path of a mesh is needed");
+      LoadedMesh loaded = read_mesh(file_.parent_path() / scene_.mesh_path);
+      scene_.triangles = std::move(loaded.triangles);
+      scene_.rest = std::move(loaded.points);
+      notices_ = std::move(loaded.notices);
+      return;
+    }
+    if (!mesh.node().as<JsonNode::Object>())
+      mesh.refuse("is " + mesh.shown() +
+                  ", but a path or an object of vertices and triangles is needed");
+    mesh.allow_only({"vertices", "triangles"});
+    TriangleSoup inline_mesh =
+        validated(read_triangles(mesh.at("vertices"), mesh.at("triangles"), name_, "mesh: "));
+    scene_.triangles = std::move(inline_mesh.triangles);
+    scene_.rest = std::move(inline_mesh.points);
+    notices_ = std::move(inline_mesh.notices);
+  }
+
+  void read_state(const JsonValue& state) {
+    state.allow_only({"triangles", "rest", "deformed", "view"});
+    if (const auto view = state.find("view"))
+      scene_.view = std::make_shared<const nlohmann::json>(to_library(view->node()));
+    if (!state.find("triangles") && !state.find("rest") && !state.find("deformed")) return;
+    const JsonValue triangles = state.at("triangles");
+    const JsonValue deformed = state.at("deformed");
+    TriangleSoup rest = read_triangles(state.at("rest"), triangles, name_, "state.rest: ");
+    check_vertex_counts(state.at("rest"), rest.points.cols(), deformed);
+    TriangleSoup posed = read_triangles(deformed, triangles, name_, "state.deformed: ");
+    const int n = static_cast<int>(rest.points.cols());
+    check_connectivity(rest.triangles, n, rest.source);
+    check_positions(rest.triangles, rest.points, rest.source);
+    check_positions(posed.triangles, posed.points, posed.source);
+    scene_.state =
+        SceneState{std::move(rest.triangles), std::move(rest.points), std::move(posed.points)};
+  }
+
+  void check_vertex_counts(const JsonValue& rest, Eigen::Index rest_count,
+                           const JsonValue& deformed) const {
+    const Eigen::Index deformed_count = deformed.points().cols();
+    if (deformed_count != rest_count)
+      deformed.refuse("has " + std::to_string(deformed_count) + " vertices, but state.rest has " +
+                      std::to_string(rest_count));
+    if (rest_count < scene_.rest.cols())
+      rest.refuse("has " + std::to_string(rest_count) + " vertices, but the mesh has " +
+                  std::to_string(scene_.rest.cols()) +
+                  "; the mesh may have been changed after the scene was saved");
+  }
+
+  void read_handles(const JsonValue& handles) {
+    const std::vector<bool> used = used_vertices();
+    std::vector<bool> named(used.size(), false);
+    std::vector<std::optional<int>> ids;
+    for (const JsonValue& item : handles.items()) {
+      item.allow_only({"vertex", "target", "id", "kind", "weight"});
+      Handle handle;
+      handle.vertex = read_vertex(item.at("vertex"), used, named);
+      handle.target = item.at("target").point();
+      if (const auto kind = item.find("kind")) handle.kind = read_kind(*kind);
+      if (const auto weight = item.find("weight")) handle.weight = read_weight(*weight);
+      const auto id = item.find("id");
+      ids.push_back(id ? std::optional(read_id(*id, ids)) : std::nullopt);
+      scene_.handles.push_back(handle);
+    }
+    name_handles(ids);
+  }
+
+  std::vector<bool> used_vertices() const {
+    const Triangles& triangles = scene_.state ? scene_.state->triangles : scene_.triangles;
+    const Points& points = scene_.state ? scene_.state->rest : scene_.rest;
+    std::vector<bool> used(static_cast<std::size_t>(points.cols()), false);
+    for (const int v : triangles.reshaped()) used[static_cast<std::size_t>(v)] = true;
+    return used;
+  }
+
+  static int read_vertex(const JsonValue& value, const std::vector<bool>& used,
+                         std::vector<bool>& named) {
+    const int vertex = value.integer();
+    const auto v = static_cast<std::size_t>(vertex);
+    if (vertex < 0 || v >= used.size())
+      value.refuse("is " + value.shown() + ", but the vertices are 0 to " +
+                   std::to_string(used.size() - 1));
+    if (named[v]) value.refuse("is " + value.shown() + ", which an earlier handle names already");
+    if (!used[v]) value.refuse("is " + value.shown() + ", a vertex that belongs to no triangle");
+    named[v] = true;
+    return vertex;
+  }
+
+  static HandleKind read_kind(const JsonValue& value) {
+    const auto kind = handle_kind(value.text());
+    if (!kind) value.refuse("is " + value.shown() + ", but drag, pin or soft is needed");
+    return *kind;
+  }
+
+  static double read_weight(const JsonValue& value) {
+    if (!(value.number() > 0))
+      value.refuse("is " + value.shown() + ", but a number greater than 0 is needed");
+    return value.number();
+  }
+
+  static int read_id(const JsonValue& value, const std::vector<std::optional<int>>& earlier) {
+    const int id = value.integer();
+    if (std::ranges::find(earlier, std::optional(id)) != earlier.end())
+      value.refuse("is " + value.shown() + ", which an earlier handle has already");
+    return id;
+  }
+
+  /// A handle without an id has its place in the list as its name, or else the next free number.
+  void name_handles(const std::vector<std::optional<int>>& ids) {
+    std::set<int> taken;
+    for (const auto& id : ids)
+      if (id) taken.insert(*id);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      int id = ids[i].value_or(static_cast<int>(i));
+      if (!ids[i])
+        while (!taken.insert(id).second) ++id;
+      scene_.handles[i].id = id;
+    }
+  }
+
+  const fs::path file_;
+  const std::string name_;
+  std::vector<std::string_view> methods_;
+  Scene scene_;
+  std::vector<std::string> notices_;
+};
+
+}  // namespace
+
+LoadedScene load_scene(const fs::path& file, std::span<const std::string_view> methods) {
+  return SceneReader(file, methods).read();
+}
+
+LoadedScene scene_from_mesh(const fs::path& file) {
+  LoadedMesh mesh = read_mesh(file);
+  Scene scene;
+  scene.folder = fs::absolute(file).parent_path();
+  scene.mesh_path = file.filename().string();
+  scene.triangles = std::move(mesh.triangles);
+  scene.rest = std::move(mesh.points);
+  scene.energy = find_density("arap");
+  return {std::move(scene), std::move(mesh.notices)};
+}
+
+}  // namespace foldless

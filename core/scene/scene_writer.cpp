@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cassert>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/atomic_file.h"
+#include "core/scene/handle_kind.h"
+#include "core/scene/json_node.h"
+#include "core/scene/parameter_keys.h"
+#include "core/scene/scene_io.h"
+
+namespace foldless {
+namespace {
+
+namespace fs = std::filesystem;
+
+JsonNode point_node(const Vec2& p) { return {JsonNode::Array{JsonNode{p.x()}, JsonNode{p.y()}}}; }
+
+JsonNode points_node(const Points& points) {
+  JsonNode::Array array;
+  array.reserve(static_cast<std::size_t>(points.cols()));
+  for (const auto& p : points.colwise()) array.push_back(point_node(p));
+  return {std::move(array)};
+}
+
+JsonNode triangles_node(const Triangles& triangles) {
+  JsonNode::Array array;
+  array.reserve(static_cast<std::size_t>(triangles.cols()));
+  for (const auto& t : triangles.colwise()) {
+    JsonNode::Array corners;
+    for (const int v : t) corners.push_back({static_cast<double>(v)});
+    array.push_back({std::move(corners)});
+  }
+  return {std::move(array)};
+}
+
+JsonNode mesh_node(const Scene& scene, const std::string& path) {
+  if (!path.empty()) return {path};
+  return {JsonNode::Object{{"vertices", points_node(scene.rest)},
+                           {"triangles", triangles_node(scene.triangles)}}};
+}
+
+JsonNode handles_node(const std::vector<Handle>& handles) {
+  JsonNode::Array array;
+  for (const Handle& handle : handles) {
+    JsonNode::Object object{{"vertex", {static_cast<double>(handle.vertex)}},
+                            {"target", point_node(handle.target)}};
+    if (handle.id != static_cast<int>(array.size()))
+      object.emplace_back("id", JsonNode{static_cast<double>(handle.id)});
+    if (handle.kind != HandleKind::drag)
+      object.emplace_back("kind", JsonNode{std::string(handle_kind_name(handle.kind))});
+    if (handle.weight != 1) object.emplace_back("weight", JsonNode{handle.weight});
+    array.push_back({std::move(object)});
+  }
+  return {std::move(array)};
+}
+
+JsonNode solver_node(const Parameters& parameters) {
+  const Parameters defaults;
+  JsonNode::Object object;
+  if (parameters.method != defaults.method)
+    object.emplace_back("method", JsonNode{parameters.method});
+  for (const ParameterKey& key : parameter_keys()) {
+    const auto value = key.get(parameters);
+    if (value == key.get(defaults)) continue;
+    const bool is_flag = key.kind == ParameterKind::flag;
+    object.emplace_back(key.name, is_flag ? JsonNode{*value != 0} : JsonNode{*value});
+  }
+  return {std::move(object)};
+}
+
+JsonNode state_node(const Scene& scene) {
+  JsonNode::Object object;
+  if (scene.state) {
+    object.emplace_back("triangles", triangles_node(scene.state->triangles));
+    object.emplace_back("rest", points_node(scene.state->rest));
+    object.emplace_back("deformed", points_node(scene.state->deformed));
+  }
+  if (scene.view) object.emplace_back("view", from_library(*scene.view));
+  return {std::move(object)};
+}
+
+/// A path that leads from one folder to where it led from another; absolute paths stay.
+std::string path_from(const fs::path& new_folder, const std::string& path,
+                      const fs::path& old_folder) {
+  if (path.empty() || fs::path(path).is_absolute()) return path;
+  std::error_code ignored;
+  const fs::path from = fs::weakly_canonical(old_folder, ignored);
+  const fs::path to = fs::weakly_canonical(new_folder, ignored);
+  if (from == to) return path;
+  return (from / path).lexically_normal().lexically_relative(to).generic_string();
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene, const fs::path& folder) {
+  assert(scene.energy);
+  JsonNode::Object root{{"version", {static_cast<double>(kSceneVersion)}}};
+  if (!scene.description.empty()) root.emplace_back("description", JsonNode{scene.description});
+  root.emplace_back("mesh", mesh_node(scene, path_from(folder, scene.mesh_path, scene.folder)));
+  const std::string texture = path_from(folder, scene.texture_path, scene.folder);
+  if (!texture.empty()) root.emplace_back("texture", JsonNode{texture});
+  root.emplace_back("energy", JsonNode{std::string(scene.energy->name)});
+  root.emplace_back("handles", handles_node(scene.handles));
+  root.emplace_back("solver", solver_node(scene.parameters));
+  if (scene.state || scene.view) root.emplace_back("state", state_node(scene));
+  return json_text({std::move(root)});
+}
+
+void save_scene(const Scene& scene, const fs::path& file) {
+  write_file_atomically(file, scene_text(scene, fs::absolute(file).parent_path()));
+}
+
+void move_to_folder(Scene& scene, const fs::path& folder) {
+  scene.mesh_path = path_from(folder, scene.mesh_path, scene.folder);
+  scene.texture_path = path_from(folder, scene.texture_path, scene.folder);
+  scene.folder = folder;
+}
+
+}  // namespace foldless
