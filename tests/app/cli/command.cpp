@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/cli/command.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/scene/scene_io.h"
+
+namespace foldless::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+void redirect(int stream, const fs::path& file) {
+  const int target = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  dup2(target, stream);
+  close(target);
+}
+
+/// In the child process: never returns.
+[[noreturn]] void call(const std::vector<std::string>& arguments, const OpenEditor& open_editor) {
+  unsetenv("DISPLAY");
+  unsetenv("WAYLAND_DISPLAY");
+  std::vector<const char*> argv{"foldless"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  const int status = run_command_line(static_cast<int>(argv.size()), argv.data(), open_editor);
+  std::cout.flush();
+  std::cerr.flush();
+  // Not exit(): the test program's own clean-up belongs to its parent.
+  _exit(status);
+}
+
+fs::path new_folder() {
+  std::string name = (fs::temp_directory_path() / "foldless-test-XXXXXX").string();
+  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder: " + name);
+  return name;
+}
+
+}  // namespace
+
+Command::Command(const std::vector<std::string>& arguments, OpenEditor open_editor)
+    : folder_(new_folder()) {
+  std::cout.flush();
+  std::cerr.flush();
+  process_ = fork();
+  if (process_ < 0) throw std::runtime_error("no process for a call of the program");
+  if (process_ > 0) return;
+  redirect(STDOUT_FILENO, folder_ / "out");
+  redirect(STDERR_FILENO, folder_ / "err");
+  call(arguments, open_editor);
+}
+
+Command::~Command() {
+  if (process_ > 0) {
+    kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+  }
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void Command::send(int signal) const { kill(process_, signal); }
+
+Ended Command::wait() {
+  int status = 0;
+  waitpid(process_, &status, 0);
+  process_ = -1;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(folder_ / "out"),
+          read_text(folder_ / "err")};
+}
+
+Ended run(const std::vector<std::string>& arguments) { return Command(arguments).wait(); }
+
+TemporaryFolder::TemporaryFolder() : path_(new_folder()) {}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void write_scene(const std::string& file, const Problem& problem) {
+  Scene scene;
+  scene.folder = fs::path(file).parent_path();
+  scene.triangles = problem.mesh.triangles();
+  scene.rest = problem.mesh.rest();
+  scene.energy = problem.energy;
+  scene.handles = problem.handles;
+  scene.parameters = problem.parameters;
+  save_scene(scene, file);
+}
+
+void write_text(const std::string& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string read_text(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return std::move(text).str();
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+}  // namespace foldless::test

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/cli.h"
+#include "core/method/method.h"
+
+namespace foldless::test {
+
+/// How a call of the program ended.
+struct Ended {
+  int status = -1;  ///< exit status; negative: the signal that killed it
+  std::string out;  ///< what it printed on stdout
+  std::string err;  ///< and on stderr
+};
+
+/// The program with these arguments in a process of its own, without a display.
+class Command {
+ public:
+  explicit Command(const std::vector<std::string>& arguments, OpenEditor open_editor = {});
+  ~Command();
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  void send(int signal) const;
+  /// Waits for its end.
+  Ended wait();
+
+ private:
+  std::filesystem::path folder_;
+  pid_t process_ = -1;
+};
+
+/// Runs the program to its end.
+Ended run(const std::vector<std::string>& arguments);
+
+/// A folder that goes with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Writes a scene file whose mesh is inline.
+void write_scene(const std::string& file, const Problem& problem);
+
+void write_text(const std::string& file, const std::string& text);
+std::string read_text(const std::string& file);
+/// Names of the files in a folder, sorted; none when it does not exist.
+std::vector<std::string> names_in(const std::filesystem::path& folder);
+
+}  // namespace foldless::test
