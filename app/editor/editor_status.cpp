@@ -12,10 +12,12 @@ std::string solving_words(const Editor& editor) {
   std::string words = "Solving";
   if (editor.iterations().empty()) return words;
   const Iteration& last = editor.iterations().back();
-  words += " " + std::to_string(last.inner) + "/" + std::to_string(parameters.inner_iterations);
-  if (last.outer > 0)
-    words += ", round " + std::to_string(last.outer + 1) + "/" +
-             std::to_string(parameters.outer_iterations);
+  words.append(" ").append(std::to_string(last.inner));
+  words.append("/").append(std::to_string(parameters.inner_iterations));
+  if (last.outer > 0) {
+    words.append(", round ").append(std::to_string(last.outer + 1));
+    words.append("/").append(std::to_string(parameters.outer_iterations));
+  }
   return words;
 }
 

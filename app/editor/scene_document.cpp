@@ -2,7 +2,7 @@
 #include "app/editor/scene_document.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -45,7 +45,8 @@ Document document_of(const Scene& scene, const std::filesystem::path& file) {
                 *document.original);
   document.handles = scene.handles;
   for (const Handle& handle : scene.handles)
-    document.next_handle_id = std::max(document.next_handle_id, handle.id + 1);
+    if (handle.id < std::numeric_limits<int>::max())
+      document.next_handle_id = std::max(document.next_handle_id, handle.id + 1);
   document.energy = scene.energy;
   document.parameters = scene.parameters;
   if (!scene.texture_path.empty())

@@ -59,8 +59,8 @@ void Solving::set_parameters(const Document& document) {
 }
 
 void Solving::toggle_pause(const Document& document) {
-  const bool goes_on = state() == SolvingState::paused || state() == SolvingState::held ||
-                       state() == SolvingState::stopped;
+  const bool goes_on = state() == SolvingState::paused || state() == SolvingState::stopped ||
+                       (state() == SolvingState::held && !is_at_targets(document));
   if (!goes_on) return pause();
   paused_ = false;
   go_on(document);

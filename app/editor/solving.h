@@ -35,7 +35,7 @@ class Solving {
   void move_targets(const Document& document);
   /// New energy or parameters for the same mesh.
   void set_parameters(const Document& document);
-  /// Pauses; when paused, held or stopped, goes on.
+  /// Pauses; goes on when paused, stopped, or held with something left to do.
   void toggle_pause(const Document& document);
   void pause();
   /// One iteration, then pause.
