@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
 namespace foldless {
@@ -36,8 +35,13 @@ Camera panned(const Camera& camera, glm::dvec2 pixels);
 /// where the viewport is large enough. A box without extent is shown at 100 pixels a unit.
 Camera fit_to_box(const Box& box, glm::dvec2 viewport, double margin);
 
-/// World to clip coordinates, for the shaders: a vertex's position relative to `camera.centre`
-/// goes in, so that floats suffice at any distance from the origin.
-glm::mat4 clip_from_centred(const Camera& camera, glm::dvec2 viewport);
+/// World to clip coordinates for positions relative to an `origin`: clip = scale · p + offset.
+struct ClipTransform {
+  glm::vec2 scale{1, 1};
+  glm::vec2 offset{0, 0};
+};
+
+/// The differences are taken in double, so that floats suffice at any distance from (0, 0).
+ClipTransform clip_transform(const Camera& camera, glm::dvec2 viewport, glm::dvec2 origin);
 
 }  // namespace foldless

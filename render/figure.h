@@ -14,15 +14,22 @@ namespace foldless {
 /// Which mesh a figure shows.
 enum class FigureView { deformed, rest, both };
 
+/// The default look of a figure: everything but the theme, which is light, as in the editor.
+inline ViewOptions figure_style() {
+  ViewOptions style;
+  style.theme = Theme::light;
+  return style;
+}
+
 /// A picture of a snapshot for a file; see `foldless render`.
 struct FigureOptions {
   int width = 1200;  ///< pixels
   int height = 900;  ///< pixels
   int samples = 4;   ///< samples a pixel; fewer where the context refuses
   FigureView view = FigureView::deformed;
-  ViewOptions style;             ///< its pose is set from `view`
-  std::optional<Image> texture;  ///< the checkerboard when absent
-  std::optional<Box> frame;      ///< world box to show; absent: the mesh and its targets
+  ViewOptions style = figure_style();  ///< its pose is set from `view`
+  std::optional<Image> texture;        ///< the checkerboard when absent
+  std::optional<Box> frame;            ///< world box to show; absent: the mesh and its targets
 };
 
 /// Draws snapshots off screen, any number of them in one context.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "render/camera.h"
 #include "render/distortion.h"
 #include "render/image.h"
+#include "render/render_stats.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -25,16 +25,10 @@ struct Viewport {
 
 /// From where a snapshot is seen, and what the user has under the hand.
 struct SceneView {
-  Viewport viewport;
-  Camera camera;
-  std::vector<int> selected;   ///< ids of the selected handles
-  std::optional<int> hovered;  ///< id of the handle under the mouse
-};
-
-/// What reached the graphics card since the renderer was made.
-struct RenderStats {
-  std::uint64_t index_uploads = 0;     ///< uploads of triangles, edges and rest positions
-  std::uint64_t position_uploads = 0;  ///< uploads of deformed positions
+  Viewport viewport{};
+  Camera camera{};
+  std::vector<int> selected{};   ///< ids of the selected handles
+  std::optional<int> hovered{};  ///< id of the handle under the mouse
 };
 
 /// Draws snapshots with GL 3.3 into the framebuffer that is bound; never makes a context. Every

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/data_path.h"
+
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace foldless {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of_executable() {
+  std::error_code unreadable;
+  return fs::read_symlink("/proc/self/exe", unreadable).parent_path();
+}
+
+}  // namespace
+
+fs::path data_path(std::string_view relative) {
+  const char* chosen = std::getenv("FOLDLESS_DATA_DIR");
+  const std::array<fs::path, 3> roots{chosen ? fs::path(chosen) : fs::path(),
+                                      folder_of_executable() / "../share/foldless",
+                                      fs::path(FOLDLESS_SOURCE_DIR)};
+  for (const fs::path& root : roots) {
+    if (root.empty()) continue;
+    std::error_code unreadable;
+    const fs::path candidate = (root / relative).lexically_normal();
+    if (fs::exists(candidate, unreadable)) return candidate;
+  }
+  throw Error(
+      "cannot find the program's data '" + std::string(relative) + "'; install it beside " +
+      "the program (../share/foldless) or set FOLDLESS_DATA_DIR to the folder that holds it");
+}
+
+}  // namespace foldless

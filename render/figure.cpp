@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/figure.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <optional>
+
+#include "render/legend.h"
+#include "render/offscreen.h"
+#include "render/render_target.h"
+#include "render/scene_renderer.h"
+
+namespace foldless {
+namespace {
+
+constexpr double kMargin = 28;  // design pixels round the mesh, room for half a handle
+
+void include(Box& box, double x, double y) {
+  box.min = glm::min(box.min, glm::dvec2(x, y));
+  box.max = glm::max(box.max, glm::dvec2(x, y));
+}
+
+void include(Box& box, const Points& points) {
+  for (const auto& p : points.colwise()) include(box, p.x(), p.y());
+}
+
+/// A pane of the figure: which mesh, and where.
+struct Pane {
+  Pose pose;
+  Viewport viewport;
+};
+
+std::vector<Pane> panes_of(const FigureOptions& options, int width) {
+  const int half = width / 2;
+  switch (options.view) {
+    case FigureView::rest: return {{Pose::rest, {0, 0, width, options.height}}};
+    case FigureView::both:
+      return {{Pose::rest, {0, 0, half, options.height}},
+              {Pose::deformed, {half, 0, width - half, options.height}}};
+    default: return {{Pose::deformed, {0, 0, width, options.height}}};
+  }
+}
+
+Camera camera_of(const Snapshot& snapshot, const FigureOptions& options, const Pane& pane) {
+  const FigureView view = pane.pose == Pose::rest ? FigureView::rest : FigureView::deformed;
+  const Box box = options.frame ? *options.frame : frame_of(snapshot, view);
+  return fit_to_box(box, {pane.viewport.width, pane.viewport.height},
+                    kMargin * options.style.ui_scale);
+}
+
+}  // namespace
+
+Box frame_of(const Snapshot& snapshot, FigureView view) {
+  const Points& first = view == FigureView::deformed ? snapshot.deformed : *snapshot.rest;
+  if (first.cols() == 0) return {};
+  const glm::dvec2 corner(first(0, 0), first(1, 0));
+  Box box{corner, corner};
+  include(box, first);
+  if (view == FigureView::both) include(box, snapshot.deformed);
+  for (const Handle& handle : snapshot.handles) include(box, handle.target.x(), handle.target.y());
+  return box;
+}
+
+struct FigureRenderer::Parts {
+  ~Parts() { context.make_current(); }
+
+  void fit_target(const FigureOptions& options);
+  void fit_texture(const std::optional<Image>& image);
+
+  Offscreen context{1, 1, 1};
+  SceneRenderer scene;
+  std::optional<RenderTarget> target;
+  int samples_asked = 0;
+  std::optional<Image> texture;
+};
+
+void FigureRenderer::Parts::fit_target(const FigureOptions& options) {
+  const bool fits = target && target->width() == options.width &&
+                    target->height() == options.height && samples_asked == options.samples;
+  if (!fits) target.emplace(options.width, options.height, options.samples);
+  samples_asked = options.samples;
+  target->bind();
+}
+
+void FigureRenderer::Parts::fit_texture(const std::optional<Image>& image) {
+  if (texture == image) return;
+  image ? scene.set_texture(*image) : scene.clear_texture();
+  texture = image;
+}
+
+FigureRenderer::FigureRenderer() : parts_(std::make_unique<Parts>()) {}
+FigureRenderer::~FigureRenderer() = default;
+
+Image FigureRenderer::render(const Snapshot& snapshot, const FigureOptions& options) {
+  parts_->context.make_current();
+  parts_->fit_target(options);
+  parts_->fit_texture(options.texture);
+  ViewOptions style = options.style;
+  const int legend = style.layers.heat ? legend_width(style.ui_scale) : 0;
+  const Viewport whole{0, 0, options.width, options.height};
+  parts_->scene.draw({}, {.viewport = whole}, style);
+  for (const Pane& pane : panes_of(options, std::max(options.width - legend, 1))) {
+    style.pose = pane.pose;
+    style.background = Background::keep;
+    parts_->scene.draw(snapshot, {pane.viewport, camera_of(snapshot, options, pane), {}, {}},
+                       style);
+  }
+  Image image = parts_->target->read();
+  if (const auto& range = parts_->scene.heat_range()) draw_legend(image, *range, style);
+  return image;
+}
+
+Image render_figure(const Snapshot& snapshot, const FigureOptions& options) {
+  return FigureRenderer().render(snapshot, options);
+}
+
+}  // namespace foldless

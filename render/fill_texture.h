@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "render/gl_objects.h"
+#include "render/image.h"
+
+namespace foldless {
+
+/// An image on the graphics card: premultiplied, with mipmaps, edges clamped.
+class FillTexture {
+ public:
+  /// Throws Error when the image is empty or larger than the graphics card takes.
+  explicit FillTexture(const Image& image);
+
+  void bind() const { glBindTexture(GL_TEXTURE_2D, texture_.id()); }
+
+ private:
+  Texture texture_;
+};
+
+}  // namespace foldless

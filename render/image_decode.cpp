@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <png.h>
+#include <turbojpeg.h>
+#include <webp/decode.h>
+
+#include <memory>
+#include <string_view>
+#include <type_traits>
+
+#include "core/atomic_file.h"
+#include "core/error.h"
+#include "render/image.h"
+#include "render/png_chunks.h"
+
+namespace foldless {
+namespace {
+
+constexpr int kLongestSide = 16384;
+
+const unsigned char* bytes_of(std::string_view file) {
+  return reinterpret_cast<const unsigned char*>(file.data());
+}
+
+/// Refused before any memory is asked for.
+void check_size(long width, long height) {
+  if (width < 1 || height < 1) throw Error("the image has no pixels");
+  if (width > kLongestSide || height > kLongestSide)
+    throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
+                " pixels; scale it down to " + std::to_string(kLongestSide) + " a side or less");
+}
+
+/// Frees what libpng holds, whichever way the function is left.
+struct PngReader {
+  png_image image{};
+  PngReader() { image.version = PNG_IMAGE_VERSION; }
+  ~PngReader() { png_image_free(&image); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+};
+
+Image decode_png(std::string_view file) {
+  PngReader png;
+  const auto damaged = [&] {
+    return Error(std::string("the PNG image is damaged (") + png.image.message + ")");
+  };
+  if (!png_image_begin_read_from_memory(&png.image, file.data(), file.size())) throw damaged();
+  check_size(png.image.width, png.image.height);
+  png.image.format = PNG_FORMAT_RGBA;
+  Image image(static_cast<int>(png.image.width), static_cast<int>(png.image.height));
+  if (!png_image_finish_read(&png.image, nullptr, image.pixels.data(), 0, nullptr)) throw damaged();
+  return image;
+}
+
+struct DestroyJpeg {
+  void operator()(void* handle) const { tjDestroy(handle); }
+};
+
+Image decode_jpeg(std::string_view file) {
+  const std::unique_ptr<void, DestroyJpeg> jpeg(tjInitDecompress());
+  const auto damaged = [&] {
+    return Error(std::string("the JPEG image is damaged or of an unknown kind (") +
+                 tjGetErrorStr2(jpeg.get()) + ")");
+  };
+  int width = 0, height = 0, subsampling = 0, colour_space = 0;
+  if (tjDecompressHeader3(jpeg.get(), bytes_of(file), file.size(), &width, &height, &subsampling,
+                          &colour_space) != 0)
+    throw damaged();
+  check_size(width, height);
+  Image image(width, height);
+  if (tjDecompress2(jpeg.get(), bytes_of(file), file.size(), image.pixels.data(), width, 0, height,
+                    TJPF_RGBA, TJFLAG_ACCURATEDCT) != 0)
+    throw damaged();
+  return image;
+}
+
+Image decode_webp(std::string_view file) {
+  int width = 0, height = 0;
+  if (!WebPGetInfo(bytes_of(file), file.size(), &width, &height))
+    throw Error("the WebP image is damaged");
+  check_size(width, height);
+  Image image(width, height);
+  if (!WebPDecodeRGBAInto(bytes_of(file), file.size(), image.pixels.data(), image.pixels.size(),
+                          4 * width))
+    throw Error("the WebP image is damaged or an animation");
+  return image;
+}
+
+bool is_webp(std::string_view file) {
+  return file.starts_with("RIFF") && file.size() > 12 && file.substr(8, 4) == "WEBP";
+}
+
+Image decode(std::string_view file) {
+  if (file.starts_with(kPngSignature)) return decode_png(file);
+  if (file.starts_with("\xFF\xD8\xFF")) return decode_jpeg(file);
+  if (is_webp(file)) return decode_webp(file);
+  throw Error("is not a PNG, JPEG or WebP image");
+}
+
+}  // namespace
+
+Image load_image(const std::filesystem::path& path) {
+  const std::string file = read_file(path);
+  try {
+    return decode(file);
+  } catch (const Error& error) {
+    throw Error(path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace foldless

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/legend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "render/blend.h"
+#include "render/colormap.h"
+#include "render/stroke_font.h"
+#include "render/theme.h"
+
+namespace foldless {
+namespace {
+
+constexpr double kWidth = 104;  // design pixels, here and below
+constexpr double kBarWidth = 14;
+constexpr double kBarHeight = 280;
+constexpr double kGap = 7;
+constexpr double kDigit = 10;
+constexpr double kTickDistance = 22;
+
+std::string words(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), value >= 1000 && value < 1e6 ? "%.0f" : "%.3g", value);
+  return text.data();
+}
+
+LegendTick tick_at(const HeatRange& range, double value) {
+  return {position_on(range, value), words(value)};
+}
+
+/// The multiples of powers of ten strictly inside the scale, not too near to its ends.
+std::vector<LegendTick> round_ticks(const HeatRange& range, const std::vector<double>& multiples) {
+  std::vector<LegendTick> ticks;
+  const int first = static_cast<int>(std::floor(std::log10(range.min)));
+  const int last = static_cast<int>(std::ceil(std::log10(range.max)));
+  for (int power = first; power <= last; ++power)
+    for (const double multiple : multiples) {
+      const double value = multiple * std::pow(10.0, power);
+      const LegendTick tick = tick_at(range, value);
+      if (value > range.min && value < range.max && tick.t > 0.06 && tick.t < 0.94)
+        ticks.push_back(tick);
+    }
+  return ticks;
+}
+
+/// A rectangle of the picture, in pixels.
+struct Bar {
+  int left, top, width, height;
+};
+
+void draw_bar(Image& image, const Bar& bar, const glm::vec4& frame) {
+  for (int y = -1; y <= bar.height; ++y)
+    for (int x = -1; x <= bar.width; ++x) {
+      const bool is_frame = x < 0 || y < 0 || x == bar.width || y == bar.height;
+      const float t = 1 - (static_cast<float>(y) + 0.5F) / static_cast<float>(bar.height);
+      blend(image, bar.left + x, bar.top + y, is_frame ? frame : glm::vec4(viridis(t), 1), 1);
+    }
+}
+
+void draw_ticks(Image& image, const HeatRange& range, const Bar& bar, const ViewOptions& style) {
+  const glm::vec4& colour = canvas_colours(style.theme).text;
+  const double digit = kDigit * style.ui_scale;
+  const int count = static_cast<int>(bar.height / (kTickDistance * style.ui_scale));
+  for (const LegendTick& tick : legend_ticks(range, std::max(count, 2))) {
+    const double y = bar.top + (1 - tick.t) * bar.height;
+    const int mark = static_cast<int>(4 * style.ui_scale);
+    for (int x = 0; x < mark; ++x)
+      blend(image, bar.left + bar.width + x, static_cast<int>(y - 0.5), colour, 1);
+    const double left = bar.left + bar.width + mark + 0.7 * kGap * style.ui_scale;
+    draw_stroke_text(image, tick.label, {{left, std::round(y + 0.5 * digit)}, digit, colour});
+  }
+}
+
+}  // namespace
+
+std::vector<LegendTick> legend_ticks(const HeatRange& range, int at_most) {
+  const auto room = static_cast<std::size_t>(std::max(at_most - 2, 0));
+  std::vector<LegendTick> inside = round_ticks(range, {1, 2, 5});
+  if (inside.size() > room) inside = round_ticks(range, {1});
+  if (inside.size() > room) inside.clear();
+  if (inside.empty() && room >= 1) inside.push_back(tick_at(range, value_at(range, 0.5)));
+  std::vector<LegendTick> ticks{{0, words(range.min)}};
+  ticks.insert(ticks.end(), inside.begin(), inside.end());
+  ticks.push_back({1, words(range.max)});
+  return ticks;
+}
+
+int legend_width(double ui_scale) { return static_cast<int>(kWidth * ui_scale); }
+
+void draw_legend(Image& image, const HeatRange& range, const ViewOptions& style) {
+  const double scale = style.ui_scale;
+  const int height = std::min(static_cast<int>(kBarHeight * scale), image.height * 6 / 10);
+  const Bar bar{image.width - legend_width(scale) + static_cast<int>(kGap * scale),
+                (image.height - height) / 2, static_cast<int>(kBarWidth * scale), height};
+  if (bar.left < 1 || bar.width < 1 || bar.height < 1) return;
+  const glm::vec4& colour = canvas_colours(style.theme).text;
+  draw_bar(image, bar, colour);
+  draw_ticks(image, range, bar, style);
+  const char* title = range.measure == HeatMeasure::conformal ? "s1/s2" : "A'/A";
+  const glm::dvec2 baseline(bar.left, bar.top - 16 * scale);
+  draw_stroke_text(image, title, {baseline, kDigit * scale, colour});
+}
+
+}  // namespace foldless

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/marker_layer.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace foldless {
+namespace {
+
+constexpr float kHandleRadius = 7;  // design pixels, here and below
+constexpr float kTargetRadius = 7.5F;
+constexpr float kSplitRadius = 3.6F;
+constexpr double kReached = 0.75;  // a target nearer than this has no ghost
+constexpr glm::vec4 kNothing{0, 0, 0, 0};
+
+glm::vec2 relative(const Vec2& point, glm::dvec2 origin) {
+  return {static_cast<float>(point.x() - origin.x), static_cast<float>(point.y() - origin.y)};
+}
+
+const Points& points_of(const MarkerScene& scene) {
+  return scene.options.pose == Pose::rest ? *scene.snapshot.rest : scene.snapshot.deformed;
+}
+
+bool has_vertex(const Handle& handle, const Points& points) {
+  return handle.vertex >= 0 && handle.vertex < points.cols();
+}
+
+bool is_selected(const Handle& handle, const SceneView& view) {
+  return std::find(view.selected.begin(), view.selected.end(), handle.id) != view.selected.end();
+}
+
+/// Weight 1 makes a ring half as large again as a disc.
+float radius_of(const Handle& handle) {
+  if (handle.kind != HandleKind::soft) return kHandleRadius;
+  const auto weight = static_cast<float>(std::max(handle.weight, 0.0));
+  return kHandleRadius + 7 * weight / (1 + weight);
+}
+
+void add_halo(std::vector<Marker>& markers, const Marker& body, const glm::vec4& colour,
+              float reach) {
+  Marker halo = body;
+  halo.radius += reach;
+  halo.fill = halo.rim = colour;
+  halo.rim_width = 0;
+  halo.shadow = 0;
+  markers.push_back(halo);
+}
+
+/// The ring of a soft handle, its light outline inside and outside.
+void add_ring(std::vector<Marker>& markers, Marker body, const glm::vec4& colour, float scale) {
+  const float outline = body.rim_width;
+  body.fill = kNothing;
+  body.rim_width = 3 * scale + 2 * outline;
+  markers.push_back(body);
+  body.radius -= outline;
+  body.rim_width = 3 * scale;
+  body.rim = colour;
+  body.shadow = 0;
+  markers.push_back(body);
+}
+
+void add_handle(std::vector<Marker>& markers, const Handle& handle, const MarkerScene& scene) {
+  const CanvasColours& colours = canvas_colours(scene.options.theme);
+  const auto scale = static_cast<float>(scene.options.ui_scale);
+  const bool selected = is_selected(handle, scene.view);
+  Marker body{.centre = relative(points_of(scene).col(handle.vertex), scene.origin),
+              .radius = radius_of(handle) * scale,
+              .roundness = handle.kind == HandleKind::pin ? 0.22F : 1.0F,
+              .rim_width = 1.75F * scale,
+              .shadow = 0.4F,
+              .fill = colours.handle,
+              .rim = colours.handle_rim};
+  if (handle.kind == HandleKind::pin) body.radius *= 0.9F;
+  if (scene.view.hovered == handle.id) add_halo(markers, body, colours.hovered, 4.5F * scale);
+  if (selected) add_halo(markers, body, colours.selected, 2.5F * scale);
+  if (handle.kind == HandleKind::soft) {
+    add_ring(markers, body, colours.handle, scale);
+  } else {
+    markers.push_back(body);
+  }
+}
+
+/// A hollow ring between two thin outlines, visible on any fill.
+void add_target(std::vector<Marker>& markers, const glm::vec2& centre, const MarkerScene& scene) {
+  const CanvasColours& colours = canvas_colours(scene.options.theme);
+  const auto scale = static_cast<float>(scene.options.ui_scale);
+  Marker ring{.centre = centre,
+              .radius = (kTargetRadius + 1) * scale,
+              .roundness = 1,
+              .rim_width = 4.25F * scale,
+              .shadow = 0.25F,
+              .fill = kNothing,
+              .rim = colours.handle_rim};
+  markers.push_back(ring);
+  ring.radius -= scale;
+  ring.rim_width = 2.25F * scale;
+  ring.shadow = 0;
+  ring.rim = colours.target;
+  markers.push_back(ring);
+}
+
+}  // namespace
+
+MarkerLayer::MarkerLayer(const std::filesystem::path& shader_folder)
+    : program_("marker", shader_folder) {
+  const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+  glBindVertexArray(markers_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, instances_.id());
+  for (GLuint attribute = 0; attribute < 4; ++attribute) {
+    glEnableVertexAttribArray(attribute);
+    glVertexAttribDivisor(attribute, 1);
+  }
+  constexpr GLsizei stride = sizeof(Marker);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(Marker, centre)));
+  glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, stride, offset(offsetof(Marker, radius)));
+  glVertexAttribPointer(2, 4, GL_FLOAT, GL_FALSE, stride, offset(offsetof(Marker, fill)));
+  glVertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, stride, offset(offsetof(Marker, rim)));
+  glBindVertexArray(lines_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, segments_.id());
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(0);
+}
+
+void MarkerLayer::draw(const Frame& frame, const std::vector<Marker>& markers) const {
+  if (markers.empty()) return;
+  use_in_frame(program_, frame);
+  glBindVertexArray(markers_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, instances_.id());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(markers.size() * sizeof(Marker)),
+               markers.data(), GL_STREAM_DRAW);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(markers.size()));
+}
+
+void MarkerLayer::draw_segments(const std::vector<glm::vec2>& ends) const {
+  glBindVertexArray(lines_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, segments_.id());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(ends.size() * sizeof(glm::vec2)),
+               ends.data(), GL_STREAM_DRAW);
+  glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(ends.size()));
+}
+
+void MarkerLayer::draw_split_vertices(const Frame& frame, const MarkerScene& scene) {
+  const CanvasColours& colours = canvas_colours(scene.options.theme);
+  const Points& points = points_of(scene);
+  std::vector<Marker> markers;
+  for (int v = scene.snapshot.original_vertices; v < points.cols(); ++v)
+    markers.push_back({.centre = relative(points.col(v), scene.origin),
+                       .radius = kSplitRadius * frame.ui_scale,
+                       .roundness = 1,
+                       .rim_width = frame.ui_scale,
+                       .shadow = 0,
+                       .fill = colours.split,
+                       .rim = colours.boundary});
+  draw(frame, markers);
+}
+
+void MarkerLayer::draw_handles(const Frame& frame, const MarkerScene& scene,
+                               const LineLayer& lines) {
+  const Points& points = points_of(scene);
+  const double pixels_per_unit = scene.view.camera.pixels_per_unit;
+  std::vector<Marker> targets, handles;
+  std::vector<glm::vec2> segments;
+  for (const Handle& handle : scene.snapshot.handles) {
+    if (!has_vertex(handle, points)) continue;
+    add_handle(handles, handle, scene);
+    const Vec2 way = handle.target - points.col(handle.vertex);
+    if (way.norm() * pixels_per_unit < kReached * frame.ui_scale) continue;
+    segments.push_back(relative(handle.target, scene.origin));
+    segments.push_back(relative(points.col(handle.vertex), scene.origin));
+    add_target(targets, segments[segments.size() - 2], scene);
+  }
+  lines.begin(frame,
+              {.colour = canvas_colours(scene.options.theme).target, .width = 1.75F, .dash = 5});
+  draw_segments(segments);
+  draw(frame, targets);
+  draw(frame, handles);
+}
+
+}  // namespace foldless

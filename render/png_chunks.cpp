@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/png_chunks.h"
+
+#include <array>
+
+namespace foldless {
+namespace {
+
+using CrcTable = std::array<std::uint32_t, 256>;
+
+/// CRC-32 of ISO 3309, bits reflected: the remainder of every byte.
+constexpr CrcTable make_crc_table() {
+  CrcTable table{};
+  for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
+    std::uint32_t crc = byte;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc & 1U ? 0xEDB88320U : 0U);
+    table[byte] = crc;
+  }
+  return table;
+}
+
+std::uint32_t crc_of(std::string_view bytes) {
+  static constexpr CrcTable kTable = make_crc_table();
+  std::uint32_t crc = 0xFFFFFFFFU;
+  for (const char c : bytes)
+    crc = kTable[(crc ^ static_cast<unsigned char>(c)) & 255U] ^ (crc >> 8);
+  return ~crc;
+}
+
+std::string big_endian(std::uint32_t value) {
+  return {static_cast<char>(value >> 24), static_cast<char>(value >> 16),
+          static_cast<char>(value >> 8), static_cast<char>(value)};
+}
+
+std::uint32_t from_big_endian(std::string_view bytes) {
+  std::uint32_t value = 0;
+  for (const char c : bytes) value = (value << 8) | static_cast<unsigned char>(c);
+  return value;
+}
+
+}  // namespace
+
+std::string png_chunk(const PngChunk& chunk) {
+  const std::string checked = std::string(chunk.type) + std::string(chunk.data);
+  return big_endian(static_cast<std::uint32_t>(chunk.data.size())) + checked +
+         big_endian(crc_of(checked));
+}
+
+std::optional<PngChunk> next_png_chunk(std::string_view file, std::size_t& offset) {
+  constexpr std::size_t frame = 12;  // length, type and CRC
+  if (offset + frame > file.size()) return std::nullopt;
+  const std::size_t length = from_big_endian(file.substr(offset, 4));
+  if (length > file.size() - offset - frame) return std::nullopt;
+  const PngChunk chunk{file.substr(offset + 4, 4), file.substr(offset + 8, length)};
+  offset += length + frame;
+  return chunk;
+}
+
+std::string png_text_chunk(std::string_view keyword, std::string_view text) {
+  // Keyword, end of keyword, not compressed, method 0, no language, no translated keyword.
+  std::string data(keyword);
+  data.append(5, '\0');
+  data += text;
+  return png_chunk({"iTXt", data});
+}
+
+}  // namespace foldless

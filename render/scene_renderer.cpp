@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/scene_renderer.h"
+
+#include "core/data_path.h"
+#include "render/draw_state.h"
+#include "render/fill_layer.h"
+#include "render/line_layer.h"
+#include "render/marker_layer.h"
+#include "render/mesh_layer.h"
+#include "render/theme.h"
+
+namespace foldless {
+namespace {
+
+constexpr float kWireFade = 9;  // design pixels; edges of a mesh finer than this grow fainter
+
+}  // namespace
+
+struct SceneRenderer::Parts {
+  explicit Parts(const std::filesystem::path& shader_folder)
+      : lines(shader_folder), fill(shader_folder), markers(shader_folder) {}
+
+  void draw_rest(const Frame& frame, const CanvasColours& colours) const;
+  void draw_inside(const Frame& frame, const Snapshot& snapshot, const ViewOptions& options);
+  void draw_edges(const Frame& frame, const ViewOptions& options) const;
+
+  MeshLayer mesh;
+  LineLayer lines;
+  FillLayer fill;
+  MarkerLayer markers;
+  std::optional<HeatRange> heat_range;
+};
+
+void SceneRenderer::Parts::draw_rest(const Frame& frame, const CanvasColours& colours) const {
+  lines.begin(frame, {.colour = colours.rest, .width = 1.5F, .has_round_ends = true});
+  mesh.draw_rest_boundary();
+}
+
+void SceneRenderer::Parts::draw_inside(const Frame& frame, const Snapshot& snapshot,
+                                       const ViewOptions& options) {
+  heat_range.reset();
+  if (options.layers.heat) {
+    const Distortion distortion = distortion_of(snapshot, options.heat_measure);
+    heat_range = distortion.range;
+    fill.draw_heat(frame, mesh, distortion);
+  } else if (options.layers.fill) {
+    fill.draw(frame, mesh, canvas_colours(options.theme), options.checker_squares);
+  }
+}
+
+void SceneRenderer::Parts::draw_edges(const Frame& frame, const ViewOptions& options) const {
+  const CanvasColours& colours = canvas_colours(options.theme);
+  const bool is_filled = options.layers.fill || options.layers.heat;
+  if (options.layers.wireframe) {
+    // Without a fill the edges lie on the canvas and take the colour that stands out there.
+    const glm::vec4& colour = is_filled ? colours.wire : colours.rest;
+    lines.begin(frame, {.colour = colour, .width = 1, .fade_below = kWireFade});
+    mesh.draw_edges(EdgeSet::interior);
+  }
+  if (options.layers.boundary) {
+    const glm::vec4& colour = is_filled ? colours.boundary : colours.text;
+    lines.begin(frame, {.colour = colour, .width = 2, .has_round_ends = true});
+    mesh.draw_edges(EdgeSet::boundary);
+  }
+  if (options.layers.remeshed) {
+    lines.begin(frame, {.colour = colours.flipped, .width = 2.25F, .has_round_ends = true});
+    mesh.draw_edges(EdgeSet::flipped);
+  }
+}
+
+SceneRenderer::SceneRenderer(const std::filesystem::path& shader_folder)
+    : parts_(
+          std::make_unique<Parts>(shader_folder.empty() ? data_path("shaders") : shader_folder)) {}
+
+SceneRenderer::~SceneRenderer() = default;
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+
+void SceneRenderer::set_texture(const Image& image) { parts_->fill.set_texture(&image); }
+
+void SceneRenderer::clear_texture() { parts_->fill.set_texture(nullptr); }
+
+void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
+                         const ViewOptions& options) {
+  const DrawState state(view.viewport);
+  const CanvasColours& colours = canvas_colours(options.theme);
+  if (options.background == Background::theme) clear_canvas(colours.background);
+  if (options.background == Background::transparent) clear_canvas(glm::vec4(0));
+  if (!snapshot.triangles || !snapshot.rest) return;
+
+  parts_->mesh.update(snapshot, options.pose);
+  const glm::dvec2 viewport(view.viewport.width, view.viewport.height);
+  const Frame frame{clip_transform(view.camera, viewport, parts_->mesh.origin()), viewport,
+                    static_cast<float>(options.ui_scale)};
+  const MarkerScene scene{snapshot, view, options, parts_->mesh.origin()};
+  if (options.layers.rest && options.pose != Pose::rest) parts_->draw_rest(frame, colours);
+  parts_->draw_inside(frame, snapshot, options);
+  parts_->draw_edges(frame, options);
+  if (options.layers.remeshed) parts_->markers.draw_split_vertices(frame, scene);
+  if (options.layers.handles) parts_->markers.draw_handles(frame, scene, parts_->lines);
+}
+
+const std::optional<HeatRange>& SceneRenderer::heat_range() const { return parts_->heat_range; }
+
+const RenderStats& SceneRenderer::stats() const { return parts_->mesh.stats(); }
+
+}  // namespace foldless
