@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <limits>
 #include <optional>
+#include <vector>
 
 #include "render/legend.h"
 #include "render/offscreen.h"
@@ -41,11 +43,20 @@ std::vector<Pane> panes_of(const FigureOptions& options, int width) {
   }
 }
 
-Camera camera_of(const Snapshot& snapshot, const FigureOptions& options, const Pane& pane) {
-  const FigureView view = pane.pose == Pose::rest ? FigureView::rest : FigureView::deformed;
-  const Box box = options.frame ? *options.frame : frame_of(snapshot, view);
-  return fit_to_box(box, {pane.viewport.width, pane.viewport.height},
-                    kMargin * options.style.ui_scale);
+/// A camera a pane, all at one scale, so that sizes can be compared.
+std::vector<Camera> cameras_of(const Snapshot& snapshot, const FigureOptions& options,
+                               const std::vector<Pane>& panes) {
+  std::vector<Camera> cameras;
+  double scale = std::numeric_limits<double>::infinity();
+  for (const Pane& pane : panes) {
+    const FigureView view = pane.pose == Pose::rest ? FigureView::rest : FigureView::deformed;
+    const Box box = options.frame ? *options.frame : frame_of(snapshot, view);
+    cameras.push_back(fit_to_box(box, {pane.viewport.width, pane.viewport.height},
+                                 kMargin * options.style.ui_scale));
+    scale = std::min(scale, cameras.back().pixels_per_unit);
+  }
+  for (Camera& camera : cameras) camera.pixels_per_unit = scale;
+  return cameras;
 }
 
 }  // namespace
@@ -99,11 +110,12 @@ Image FigureRenderer::render(const Snapshot& snapshot, const FigureOptions& opti
   const int legend = style.layers.heat ? legend_width(style.ui_scale) : 0;
   const Viewport whole{0, 0, options.width, options.height};
   parts_->scene.draw({}, {.viewport = whole}, style);
-  for (const Pane& pane : panes_of(options, std::max(options.width - legend, 1))) {
-    style.pose = pane.pose;
-    style.background = Background::keep;
-    parts_->scene.draw(snapshot, {pane.viewport, camera_of(snapshot, options, pane), {}, {}},
-                       style);
+  style.background = Background::keep;
+  const std::vector<Pane> panes = panes_of(options, std::max(options.width - legend, 1));
+  const std::vector<Camera> cameras = cameras_of(snapshot, options, panes);
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    style.pose = panes[i].pose;
+    parts_->scene.draw(snapshot, {panes[i].viewport, cameras[i], {}, {}}, style);
   }
   Image image = parts_->target->read();
   if (const auto& range = parts_->scene.heat_range()) draw_legend(image, *range, style);

@@ -164,11 +164,15 @@ void MarkerLayer::draw_handles(const Frame& frame, const MarkerScene& scene,
   for (const Handle& handle : scene.snapshot.handles) {
     if (!has_vertex(handle, points)) continue;
     add_handle(handles, handle, scene);
-    const Vec2 way = handle.target - points.col(handle.vertex);
-    if (way.norm() * pixels_per_unit < kReached * frame.ui_scale) continue;
-    segments.push_back(relative(handle.target, scene.origin));
+    const Vec2 way = points.col(handle.vertex) - handle.target;
+    const double pixels = way.norm() * pixels_per_unit;
+    if (pixels < kReached * frame.ui_scale) continue;
+    add_target(targets, relative(handle.target, scene.origin), scene);
+    if (pixels < kTargetRadius * frame.ui_scale) continue;
+    // The line ends at the ring, whose inside stays free.
+    const Vec2 end = handle.target + way * (kTargetRadius * frame.ui_scale / pixels);
+    segments.push_back(relative(end, scene.origin));
     segments.push_back(relative(points.col(handle.vertex), scene.origin));
-    add_target(targets, segments[segments.size() - 2], scene);
   }
   lines.begin(frame,
               {.colour = canvas_colours(scene.options.theme).target, .width = 1.75F, .dash = 5});

@@ -63,6 +63,8 @@ void SceneRenderer::Parts::draw_edges(const Frame& frame, const ViewOptions& opt
     mesh.draw_edges(EdgeSet::boundary);
   }
   if (options.layers.remeshed) {
+    lines.begin(frame, {.colour = colours.casing, .width = 4.5F, .has_round_ends = true});
+    mesh.draw_edges(EdgeSet::flipped);
     lines.begin(frame, {.colour = colours.flipped, .width = 2.25F, .has_round_ends = true});
     mesh.draw_edges(EdgeSet::flipped);
   }

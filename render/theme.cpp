@@ -28,6 +28,7 @@ constexpr CanvasColours kDark{
     .hovered = rgb(0xFFFFFF, 0.35F),
     .target = rgb(0xFF5A5F),
     .flipped = rgb(0x1D5BFF),
+    .casing = rgb(0xFFFFFF, 0.8F),
     .split = rgb(0xFF9417),
     .text = rgb(0xE6E9EE),
 };
@@ -45,6 +46,7 @@ constexpr CanvasColours kLight{
     .hovered = rgb(0x0A84FF, 0.25F),
     .target = rgb(0xE5383B),
     .flipped = rgb(0x1549E0),
+    .casing = rgb(0xFFFFFF, 0.8F),
     .split = rgb(0xF07C00),
     .text = rgb(0x1F2A37),
 };
@@ -62,6 +64,7 @@ constexpr CanvasColours kContrast{
     .hovered = rgb(0xFFFF00, 0.6F),
     .target = rgb(0xFF3D3D),
     .flipped = rgb(0x0037FF),
+    .casing = rgb(0xFFFFFF, 0.8F),
     .split = rgb(0xFF8A00),
     .text = rgb(0xFFFFFF),
 };

@@ -21,6 +21,7 @@ struct CanvasColours {
   glm::vec4 hovered;     ///< halo of the handle under the mouse
   glm::vec4 target;      ///< ghost ring and the line to it
   glm::vec4 flipped;     ///< flipped edges
+  glm::vec4 casing;      ///< beside flipped edges, which would drown in a fill
   glm::vec4 split;       ///< vertices made by splits
   glm::vec4 text;        ///< numbers of the legend
 };

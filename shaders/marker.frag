@@ -27,5 +27,6 @@ void main() {
   vec4 body = premultiplied(rim_colour) * (outer - inner) + premultiplied(fill_colour) * inner;
   float below = outline_distance(from_centre + vec2(0.0, ui_scale));
   float shadow = marker_shape.w * (1.0 - smoothstep(-ui_scale, 3.5 * ui_scale, below));
+  shadow *= 1.0 - inner * (1.0 - step(0.001, fill_colour.a));  // none in the hole of a ring
   fragment = body + vec4(0.0, 0.0, 0.0, shadow) * (1.0 - body.a);
 }

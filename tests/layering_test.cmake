@@ -68,7 +68,7 @@ may_include("core/run/.*" "${METHOD}|core/run/.*")
 may_include("core/[^/]+" "${BASE}|core/mesh/.*")
 
 # 1. What the renderer and the application may see.
-set(RENDER_OF_CORE "core/(error|iteration|snapshot|data_path|mesh/triangle)\\.h")
+set(RENDER_OF_CORE "core/(error|iteration|snapshot|data_path|atomic_file|mesh/triangle)\\.h")
 set(GRAPHICS "<(glad/gl|GL/osmesa|imgui)\\.h>|<glm/.*>")
 may_include("render/.*" "${PLAIN}|${RENDER_OF_CORE}|render/.*|${GRAPHICS}|${IMAGE_CODECS}|<Eigen/.*>")
 set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|view_options)\\.h|app/editor/.*")
