@@ -24,7 +24,8 @@ struct SceneState {
 
 /// A scene file in memory (FORMATS: version 1). Everything is in input units.
 struct Scene {
-  /// Absolute folder that `mesh_path` and `texture_path` are relative to: that of the scene file.
+  /// Absolute folder that `mesh_path` and `texture_path` are relative to: that of the scene file,
+  /// or empty while there is none.
   std::filesystem::path folder;
   std::string mesh_path;            ///< as written in the file, relative to `folder`; empty: inline
   Triangles triangles;              ///< 3 × #F of the original mesh, validated

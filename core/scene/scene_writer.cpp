@@ -80,10 +80,11 @@ JsonNode state_node(const Scene& scene) {
   return {std::move(object)};
 }
 
-/// A path that leads from one folder to where it led from another; absolute paths stay.
+/// A path that leads from one folder to where it led from another; absolute paths stay, and so do
+/// those of a scene that has no folder yet.
 std::string path_from(const fs::path& new_folder, const std::string& path,
                       const fs::path& old_folder) {
-  if (path.empty() || fs::path(path).is_absolute()) return path;
+  if (path.empty() || old_folder.empty() || fs::path(path).is_absolute()) return path;
   std::error_code ignored;
   const fs::path from = fs::weakly_canonical(old_folder, ignored);
   const fs::path to = fs::weakly_canonical(new_folder, ignored);

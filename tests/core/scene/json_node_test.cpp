@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/json_node.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/support/errors.h"
+
+namespace foldless {
+namespace {
+
+using test::error_of;
+
+std::string error_in(std::string_view text) {
+  return error_of([&] { parse_json(text, "a.json"); });
+}
+
+TEST(JsonNode, KnowsTheLineOfEveryValue) {
+  const JsonNode root =
+      parse_json("{\n\"a\": 1\n,\"b\": [2,\n3\n,\n\n4.5\n],\n \"c\"\n:\n true}", "a");
+  const auto& object = *root.as<JsonNode::Object>();
+  EXPECT_EQ(root.line, 1);
+  EXPECT_EQ(object[0].second.line, 2);
+  const auto& array = *object[1].second.as<JsonNode::Array>();
+  EXPECT_EQ(array[0].line, 3);
+  EXPECT_EQ(array[1].line, 4);
+  EXPECT_EQ(array[2].line, 7);
+  EXPECT_EQ(object[2].second.line, 11);
+}
+
+TEST(JsonNode, RefusesWhatIsNotJsonWithTheLine) {
+  for (const char* text : {"", "{", "{\"a\": }", "[1, 2", "nul", "{} {}", "{\"a\": nan}", "[1,]",
+                           "{'a': 1}", "\"\xff\""}) {
+    const std::string error = error_in(text);
+    EXPECT_TRUE(error.starts_with("a.json:1: not JSON: ")) << error;
+    EXPECT_EQ(error.find('\n'), error.npos);
+  }
+  EXPECT_TRUE(error_in("{\n\"a\": 1,\n\"b\" 2}").starts_with("a.json:3: not JSON: "));
+}
+
+TEST(JsonNode, RefusesNumbersThatAreTooLarge) {
+  EXPECT_TRUE(error_in("[1,\n1e999]").starts_with("a.json:2: not JSON: number overflow"))
+      << error_in("[1,\n1e999]");
+}
+
+TEST(JsonNode, RefusesAKeyThatComesTwice) {
+  EXPECT_EQ(error_in("{\"a\": 1,\n\"b\": {\"a\": 2},\n\"a\": 3}"),
+            "a.json:3: the key 'a' comes twice, first in line 1");
+}
+
+TEST(JsonNode, RefusesDeepNesting) {
+  EXPECT_EQ(error_in(std::string(100000, '[')),
+            "a.json:1: values are nested more than 100 levels deep");
+  EXPECT_EQ(error_in(std::string(100, '[') + std::string(100, ']')), "");
+}
+
+TEST(JsonText, PutsPointsAndHandlesOnOneLineEach) {
+  const std::string text =
+      "{\n  \"mesh\": {\n    \"vertices\": [\n      [0, 0.5],\n      [1, -0.0]\n    ]\n  },\n"
+      "  \"handles\": [\n    {\"vertex\": 3, \"target\": [1e-05, 2]}\n  ],\n  \"solver\": {},\n"
+      "  \"text\": \"a\\\"b\\n\",\n  \"flags\": [true, false, null]\n}\n";
+  EXPECT_EQ(json_text(parse_json(text, "a")), text);
+}
+
+TEST(JsonText, ReadsBackEveryNumberBitForBit) {
+  const unsigned seed = 17;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  JsonNode::Array numbers{{0.0}, {-0.0}, {5e-324}, {1.7976931348623157e308}, {0x1p63}, {0x1p64}};
+  while (numbers.size() < 20000) {
+    const double x = std::bit_cast<double>(random());
+    if (std::isfinite(x)) numbers.push_back({x});
+  }
+  const JsonNode node{numbers};
+  const JsonNode back = parse_json(json_text(node), "a");
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(*numbers[i].as<double>()),
+              std::bit_cast<std::uint64_t>(*(*back.as<JsonNode::Array>())[i].as<double>()));
+}
+
+TEST(JsonText, RefusesNumbersThatAreNotFinite) {
+  EXPECT_NE(error_of([] { json_text({std::nan("")}); }), "");
+}
+
+TEST(JsonNode, GoesThroughTheLibraryUnchanged) {
+  const std::string text = "{\"a\": [1, 2.5, true, null, \"x\"], \"b\": {\"c\": {}}}";
+  const JsonNode node = parse_json(text, "a");
+  EXPECT_EQ(to_library(node), nlohmann::json::parse(text));
+  EXPECT_EQ(json_text(from_library(to_library(node))), json_text(node));
+}
+
+}  // namespace
+}  // namespace foldless
