@@ -108,10 +108,10 @@ std::optional<Outcome> RemeshingAssisted::convergence(const VertexUpdate& update
   return std::nullopt;
 }
 
-// Lines 10–13. Another round begins where this one ended, so without splits it can only help when
-// the round moved something and did not end at a minimum.
+// Lines 10–13. Without splits another round only begins where this one ended, so it can help after a
+// step that was too small, not at a minimum and not after N_in repeats (`M` of Table 1).
 void RemeshingAssisted::end_inner_loop(Outcome outcome) {
-  const bool next_round_can_differ = outcome != Outcome::gradient && round_changed_mesh_;
+  const bool next_round_can_differ = outcome == Outcome::step && round_changed_mesh_;
   phase_ = Phase::update;
   if (is_satisfied() || !next_round_can_differ || outer_ + 1 >= parameters_.outer_iterations) {
     outcome_ = outcome;
