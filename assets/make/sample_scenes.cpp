@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assets/make/sample_scenes.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "core/energy/densities.h"
+
+namespace foldless::samples {
+namespace {
+
+/// What all samples share: a mesh file, an energy, a line on what to look at.
+Scene scene_over(const SampleMesh& mesh, const char* energy, std::string description) {
+  Scene scene;
+  scene.mesh_path = "../meshes/" + mesh.name + ".obj";
+  scene.triangles = mesh.shape.triangles;
+  scene.rest = mesh.shape.rest;
+  scene.energy = find_density(energy);
+  scene.description = std::move(description);
+  return scene;
+}
+
+void add_handle(Scene& scene, int vertex, const Vec2& target, HandleKind kind = HandleKind::drag) {
+  const int id = static_cast<int>(scene.handles.size()) + 1;
+  scene.handles.push_back({id, vertex, target, kind});
+}
+
+void pin(Scene& scene, const std::vector<int>& vertices) {
+  for (const int v : vertices) add_handle(scene, v, scene.rest.col(v), HandleKind::pin);
+}
+
+Vec2 turned(const Vec2& p, const Vec2& centre, double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  return centre + Eigen::Rotation2Dd(angle) * (p - centre);
+}
+
+void turn(Scene& scene, const std::vector<int>& vertices, const Vec2& centre, double degrees) {
+  for (const int v : vertices) add_handle(scene, v, turned(scene.rest.col(v), centre, degrees));
+}
+
+int nearest_vertex(const Scene& scene, const Vec2& p) {
+  Eigen::Index nearest = 0;
+  (scene.rest.colwise() - p).colwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<int>(nearest);
+}
+
+/// The vertices of grid columns and rows [first, last], those of the border alone or all.
+std::vector<int> grid_square(const GridOptions& grid, int first, int last, bool border_only) {
+  std::vector<int> vertices;
+  for (int j = first; j <= last; ++j)
+    for (int i = first; i <= last; ++i) {
+      const bool border = i == first || i == last || j == first || j == last;
+      if (border || !border_only) vertices.push_back(j * (grid.columns + 1) + i);
+    }
+  return vertices;
+}
+
+void drag(Scene& scene, const Vec2& from, const Vec2& to) {
+  add_handle(scene, nearest_vertex(scene, from), to);
+}
+
+void pin_at(Scene& scene, const std::vector<Vec2>& places) {
+  for (const Vec2& p : places) pin(scene, {nearest_vertex(scene, p)});
+}
+
+/// A disk with its boundary held and one ring turned about the centre.
+struct DiskTurn {
+  int ring;
+  double degrees;
+};
+
+Scene turned_disk(Scene scene, const DiskOptions& options, const DiskTurn& disk_turn) {
+  pin(scene, disk_ring(options, options.rings));
+  turn(scene, disk_ring(options, disk_turn.ring), Vec2::Zero(), disk_turn.degrees);
+  return scene;
+}
+
+constexpr DiskTurn kCoarseTurn{5, 140};
+constexpr DiskTurn kDenseTurn{8, 160};
+
+/// The samples that are made from one mesh, found by name.
+class Meshes {
+ public:
+  explicit Meshes(const std::vector<SampleMesh>& meshes) : meshes_(meshes) {}
+  const SampleMesh& at(std::string_view name) const {
+    return *std::find_if(meshes_.begin(), meshes_.end(),
+                         [&](const SampleMesh& mesh) { return mesh.name == name; });
+  }
+
+ private:
+  const std::vector<SampleMesh>& meshes_;
+};
+
+Scene welcome(const Meshes& meshes) {
+  Scene scene = scene_over(meshes.at("gingerbread"), "arap",
+                           "Drag a hand, a foot or the head: the mesh follows and never folds.");
+  for (const Vec2& p :
+       {Vec2(-1.02, 1.46), Vec2(1.02, 1.46), Vec2(-0.55, 0.22), Vec2(0.55, 0.22), Vec2(0, 2.15)}) {
+    const int v = nearest_vertex(scene, p);
+    add_handle(scene, v, scene.rest.col(v));
+  }
+  return scene;
+}
+
+Scene blocked_edge(const Meshes& meshes) {
+  Scene scene = scene_over(
+      meshes.at("grid_coarse"), "arap",
+      "One vertex must pass an edge whose ends are held: flipping that edge lets it through.");
+  const auto vertex = [](int i, int j) { return j * (kCoarseGrid.columns + 1) + i; };
+  pin(scene, {vertex(3, 2), vertex(3, 3), vertex(4, 3)});
+  const Points& rest = scene.rest;
+  const Vec2 beyond =
+      (rest.col(vertex(3, 2)) + rest.col(vertex(3, 3)) + rest.col(vertex(4, 3))) / 3;
+  add_handle(scene, vertex(2, 2), beyond);
+  return scene;
+}
+
+Scene relaxed_disk(const Meshes& meshes) {
+  Scene scene = turned_disk(
+      scene_over(meshes.at("disk_coarse"), "lscm",
+                 "Step to the fourth update, then on: relaxation gives the crushed triangles their "
+                 "shape back."),
+      kCoarseDisk, kCoarseTurn);
+  scene.parameters.method = "paper-noflip";
+  return scene;
+}
+
+Scene flipped_bar(const Meshes& meshes) {
+  Scene scene =
+      scene_over(meshes.at("bar_with_hole"), "arap",
+                 "Show the flipped edges: they turn along the stretched side and round the hole.");
+  pin_at(scene, {{-1.4, -0.35}, {-1.4, 0}, {-1.4, 0.35}});
+  for (const double y : {-0.35, 0.0, 0.35}) {
+    const int v = nearest_vertex(scene, {1.4, y});
+    add_handle(scene, v, turned(scene.rest.col(v), {0.2, 0.55}, 150));
+  }
+  return scene;
+}
+
+Scene coarse_disk(const Meshes& meshes) {
+  return turned_disk(scene_over(meshes.at("disk_coarse"), "lscm",
+                                "The inner ring turns by 140 degrees: compare the factorizations "
+                                "with and without flips."),
+                     kCoarseDisk, kCoarseTurn);
+}
+
+Scene dense_disk(const Meshes& meshes) {
+  return turned_disk(scene_over(meshes.at("disk_dense"), "dirichlet",
+                                "The inner ring turns by 160 degrees: watch the spiral wind up "
+                                "between the rings."),
+                     kDenseDisk, kDenseTurn);
+}
+
+Scene dense_disk_with_eta(const Meshes& meshes, double eta) {
+  Scene scene = dense_disk(meshes);
+  scene.parameters.eta = eta;
+  scene.description =
+      "The smaller eta, the more edges flip: compare the rest meshes of 10 %, 1 % and 0.1 %.";
+  return scene;
+}
+
+Scene coarse_disk_with_delta(const Meshes& meshes, double delta) {
+  Scene scene = coarse_disk(meshes);
+  scene.parameters.delta = delta;
+  scene.description =
+      "No triangle shrinks below delta times its area: compare the smallest ones of 1e-5, 1e-3 "
+      "and 1e-1.";
+  return scene;
+}
+
+Scene alligator_bends(const Meshes& meshes) {
+  Scene scene = scene_over(meshes.at("alligator"), "green-strain",
+                           "Green strain resists stretching: the tail curls, the back arches and "
+                           "the scutes keep their size.");
+  pin_at(scene, {{-0.75, 0.05}, {0.6, 0.05}});
+  drag(scene, {2.5, 0.99}, {2.2, 1.9});
+  drag(scene, {2.42, 0.45}, {2.5, 0.75});
+  drag(scene, {-2.6, 0.58}, {-1.9, 1.6});
+  scene.parameters.delta = 0.1;
+  scene.parameters.eta = 1e-2;
+  return scene;
+}
+
+Scene cowboy_waves(const Meshes& meshes) {
+  Scene scene = scene_over(meshes.at("cowboy"), "arap",
+                           "Both hands go up and cross over the hat: compare with the method "
+                           "without flips.");
+  pin_at(scene, {{-0.4, 0.1}, {0.4, 0.1}});
+  drag(scene, {-1.1, 1.3}, {0.3, 2.6});
+  drag(scene, {1.1, 1.3}, {-0.3, 2.6});
+  drag(scene, {0, 2.2}, {0, 1.9});
+  scene.parameters.delta = 1e-3;
+  scene.parameters.eta = 1e-2;
+  return scene;
+}
+
+Scene swirl(const Meshes& meshes) {
+  Scene scene =
+      scene_over(meshes.at("grid_dense"), "arap",
+                 "The middle turns by 180 degrees: only flips let a grid this coarse follow.");
+  pin(scene, grid_square(kDenseGrid, 0, kDenseGrid.columns, true));
+  turn(scene, grid_square(kDenseGrid, 3, 7, false), {0.5, 0.5}, 180);
+  return scene;
+}
+
+}  // namespace
+
+std::vector<SampleScene> sample_scenes(const std::vector<SampleMesh>& all) {
+  const Meshes meshes(all);
+  return {
+      {"welcome", welcome(meshes)},
+      {"figure1_blocked_edge", blocked_edge(meshes)},
+      {"figure2_relaxation", relaxed_disk(meshes)},
+      {"figure3_flipped_edges", flipped_bar(meshes)},
+      {"figure5_coarse_disk", coarse_disk(meshes)},
+      {"figure6_dense_disk", dense_disk(meshes)},
+      {"figure8_eta_10_percent", dense_disk_with_eta(meshes, 0.1)},
+      {"figure8_eta_1_percent", dense_disk_with_eta(meshes, 0.01)},
+      {"figure8_eta_0.1_percent", dense_disk_with_eta(meshes, 0.001)},
+      {"figure9_delta_1e-5", coarse_disk_with_delta(meshes, 1e-5)},
+      {"figure9_delta_1e-3", coarse_disk_with_delta(meshes, 1e-3)},
+      {"figure9_delta_1e-1", coarse_disk_with_delta(meshes, 1e-1)},
+      {"figure10_alligator", alligator_bends(meshes)},
+      {"figure10_cowboy", cowboy_waves(meshes)},
+      {"swirl_180", swirl(meshes)},
+  };
+}
+
+}  // namespace foldless::samples
