@@ -31,6 +31,14 @@ Status ended(const Document& document) {
   return {StatusKind::blocked, "Blocked: some handles cannot get to their targets"};
 }
 
+/// A pause hides nothing: a run that has come to its end while paused still says how.
+Status paused(const Document& document, const Solving& solving) {
+  if (!solving.has_ended() && !is_at_targets(document)) return {StatusKind::paused, "Paused"};
+  Status status = ended(document);
+  status.words += " (paused)";
+  return status;
+}
+
 Status in_words(const Editor& editor, const Solving& solving) {
   const Document& document = editor.document();
   if (document.is_empty()) return {StatusKind::empty, "Nothing is open"};
@@ -39,7 +47,7 @@ Status in_words(const Editor& editor, const Solving& solving) {
     return {StatusKind::failed, solving.error()};
   switch (solving.state()) {
     case SolvingState::running: return {StatusKind::solving, solving_words(editor)};
-    case SolvingState::paused: return {StatusKind::paused, "Paused"};
+    case SolvingState::paused: return paused(document, solving);
     case SolvingState::stopped: return {StatusKind::stopped, "Stopped"};
     case SolvingState::held:
     case SolvingState::finished: break;

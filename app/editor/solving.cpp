@@ -134,8 +134,11 @@ SolvingState Solving::state() const {
   if (paused_) return SolvingState::paused;
   if (!loaded_) return SolvingState::held;
   if (stopped_) return SolvingState::stopped;
-  const bool has_ended = status_.state == WorkerState::finished || !status_.error.empty();
-  return has_ended ? SolvingState::finished : SolvingState::running;
+  return has_ended() ? SolvingState::finished : SolvingState::running;
+}
+
+bool Solving::has_ended() const {
+  return loaded_ && (status_.state == WorkerState::finished || !status_.error.empty());
 }
 
 std::shared_ptr<const Snapshot> Solving::snapshot_of(std::size_t iteration) const {

@@ -51,9 +51,11 @@ class Solving {
 
   SolvingState state() const;
   bool is_running() const { return state() == SolvingState::running; }
+  /// The run has come to its end by itself, paused or not.
+  bool has_ended() const;
   /// Edits do not end the pause.
   bool is_paused() const { return paused_; }
-  /// The end of the run, while the state is finished.
+  /// The end of the run, if it has ended.
   Standing standing() const { return {status_.outcome, status_.satisfied}; }
   /// One sentence when the run could not go on, else empty.
   const std::string& error() const { return status_.error; }
