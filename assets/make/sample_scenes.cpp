@@ -58,6 +58,13 @@ std::vector<int> grid_square(const GridOptions& grid, int first, int last, bool 
   return vertices;
 }
 
+std::vector<int> vertices_near(const Scene& scene, const Vec2& centre, double radius) {
+  std::vector<int> vertices;
+  for (int v = 0; v < scene.rest.cols(); ++v)
+    if ((scene.rest.col(v) - centre).norm() < radius) vertices.push_back(v);
+  return vertices;
+}
+
 void drag(Scene& scene, const Vec2& from, const Vec2& to) {
   add_handle(scene, nearest_vertex(scene, from), to);
 }
@@ -129,13 +136,13 @@ Scene relaxed_disk(const Meshes& meshes) {
 }
 
 Scene flipped_bar(const Meshes& meshes) {
-  Scene scene =
-      scene_over(meshes.at("bar_with_hole"), "arap",
-                 "Show the flipped edges: they turn along the stretched side and round the hole.");
+  Scene scene = scene_over(
+      meshes.at("bar_with_hole"), "arap",
+      "Show the flipped edges (key 6): they gather on the inside of the bend, above the hole.");
   pin_at(scene, {{-1.4, -0.35}, {-1.4, 0}, {-1.4, 0.35}});
   for (const double y : {-0.35, 0.0, 0.35}) {
     const int v = nearest_vertex(scene, {1.4, y});
-    add_handle(scene, v, turned(scene.rest.col(v), {0.2, 0.55}, 150));
+    add_handle(scene, v, turned(scene.rest.col(v), {0.0, 0.8}, 140));
   }
   return scene;
 }
@@ -172,26 +179,32 @@ Scene coarse_disk_with_delta(const Meshes& meshes, double delta) {
 }
 
 Scene alligator_bends(const Meshes& meshes) {
-  Scene scene = scene_over(meshes.at("alligator"), "green-strain",
-                           "Green strain resists stretching: the tail curls, the back arches and "
-                           "the scutes keep their size.");
+  Scene scene = scene_over(
+      meshes.at("alligator"), "green-strain",
+      "The tail curls over the back and the jaws gape: under Green strain scutes and teeth "
+      "keep their size.");
   pin_at(scene, {{-0.75, 0.05}, {0.6, 0.05}});
-  drag(scene, {2.5, 0.99}, {2.2, 1.9});
-  drag(scene, {2.42, 0.45}, {2.5, 0.75});
-  drag(scene, {-2.6, 0.58}, {-1.9, 1.6});
+  drag(scene, {2.5, 0.99}, {1.5, 2.3});
+  drag(scene, {2.42, 0.45}, {2.6, 0.1});
+  drag(scene, {-2.6, 0.58}, {-0.9, 1.9});
   scene.parameters.delta = 0.1;
   scene.parameters.eta = 1e-2;
   return scene;
 }
 
 Scene cowboy_waves(const Meshes& meshes) {
-  Scene scene = scene_over(meshes.at("cowboy"), "arap",
-                           "Both hands go up and cross over the hat: compare with the method "
-                           "without flips.");
-  pin_at(scene, {{-0.4, 0.1}, {0.4, 0.1}});
-  drag(scene, {-1.1, 1.3}, {0.3, 2.6});
-  drag(scene, {1.1, 1.3}, {-0.3, 2.6});
-  drag(scene, {0, 2.2}, {0, 1.9});
+  Scene scene = scene_over(
+      meshes.at("cowboy"), "arap",
+      "The belly turns by 120 degrees as the puppet jumps: flips spread the twist and save "
+      "factorizations.");
+  turn(scene, vertices_near(scene, {0, 1.3}, 0.26), {0, 1.3}, 120);
+  drag(scene, {-0.6, 0.1}, {-1.8, 1.1});
+  drag(scene, {0.6, 0.1}, {1.3, -0.2});
+  drag(scene, {-1.1, 1.3}, {-1.7, 2.1});
+  drag(scene, {1.1, 1.3}, {1.9, 1.9});
+  drag(scene, {-0.35, 2.7}, {-0.2, 3.5});
+  drag(scene, {0.35, 2.7}, {0.55, 3.35});
+  drag(scene, {0, 2.1}, {0.15, 2.2});
   scene.parameters.delta = 1e-3;
   scene.parameters.eta = 1e-2;
   return scene;
