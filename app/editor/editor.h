@@ -102,6 +102,8 @@ class Editor {
   /// Opens a scene, a mesh, or an image as the texture of the present mesh, by its extension;
   /// asks first when there are unsaved changes (not for a texture).
   void open(const std::filesystem::path& path);
+  /// Opens a scene as a copy without a path: saving asks where to, and it is not a recent file.
+  void open_sample(const std::filesystem::path& path);
   /// Opens a mesh that was made, not read; unsaved changes are dropped. Precondition: valid.
   void open_shape(Shape shape, std::string name);
   void new_document();
@@ -217,7 +219,8 @@ class Editor {
   void change_parameters(const std::string& label, Document document);
   void restore(const Document& document);
   void install(Document document, std::string label);
-  void load(const std::filesystem::path& path);
+  void load(const PendingAction& action);
+  void ask_or_perform(PendingAction action);
   void open_scene(const std::filesystem::path& path);
   void perform_pending();
   void mark_saved();

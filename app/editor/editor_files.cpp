@@ -39,9 +39,21 @@ std::vector<std::string_view> method_names() {
 }  // namespace
 
 void Editor::open(const std::filesystem::path& path) {
-  cancel_gesture();
   if (is_image_file(path)) return set_texture(path);
-  pending_ = PendingAction{PendingKind::open, full_path(path)};
+  ask_or_perform({PendingKind::open, full_path(path)});
+}
+
+void Editor::open_sample(const std::filesystem::path& path) {
+  ask_or_perform({PendingKind::open, full_path(path), true});
+}
+
+void Editor::new_document() { ask_or_perform({PendingKind::new_document, {}}); }
+
+void Editor::close() { ask_or_perform({PendingKind::close, {}}); }
+
+void Editor::ask_or_perform(PendingAction action) {
+  cancel_gesture();
+  pending_ = std::move(action);
   is_asking_ = is_dirty();
   if (!is_asking_) perform_pending();
   redraw();
@@ -52,22 +64,6 @@ void Editor::open_shape(Shape shape, std::string name) {
   install(document_of(std::move(shape), name), "Open " + name);
   path_.clear();
   mark_saved();
-}
-
-void Editor::new_document() {
-  cancel_gesture();
-  pending_ = PendingAction{PendingKind::new_document, {}};
-  is_asking_ = is_dirty();
-  if (!is_asking_) perform_pending();
-  redraw();
-}
-
-void Editor::close() {
-  cancel_gesture();
-  pending_ = PendingAction{PendingKind::close, {}};
-  is_asking_ = is_dirty();
-  if (!is_asking_) perform_pending();
-  redraw();
 }
 
 void Editor::answer(Answer answer) {
@@ -82,7 +78,7 @@ void Editor::answer(Answer answer) {
 void Editor::perform_pending() {
   const PendingAction action = *std::exchange(pending_, std::nullopt);
   switch (action.kind) {
-    case PendingKind::open: return load(action.path);
+    case PendingKind::open: return load(action);
     case PendingKind::close: return request(Request::quit);
     case PendingKind::new_document: break;
   }
@@ -91,7 +87,8 @@ void Editor::perform_pending() {
   mark_saved();
 }
 
-void Editor::load(const std::filesystem::path& path) {
+void Editor::load(const PendingAction& action) {
+  const std::filesystem::path& path = action.path;
   try {
     if (is_mesh_file(path)) {
       LoadedMesh mesh = read_mesh(path);
@@ -104,7 +101,10 @@ void Editor::load(const std::filesystem::path& path) {
     } else {
       open_scene(path);
     }
-    recent_.add(path);
+    if (action.is_sample)
+      path_.clear();
+    else
+      recent_.add(path);
   } catch (const std::exception& failure) {
     toast(ToastKind::error, failure.what());
     std::error_code error;
@@ -135,6 +135,7 @@ void Editor::install(Document document, std::string label) {
 }
 
 void Editor::mark_saved() {
+  last_change_.reset();
   saved_step_ = history_.current_id();
   saved_pose_ = document_.pose;
 }

@@ -39,7 +39,8 @@ struct Toast {
 enum class PendingKind { new_document, open, close };
 struct PendingAction {
   PendingKind kind = PendingKind::new_document;
-  std::filesystem::path path;  ///< to open; empty: ask for one
+  std::filesystem::path path;  ///< to open
+  bool is_sample = false;      ///< to be saved elsewhere
 };
 enum class Answer { save, discard, cancel };
 

@@ -99,7 +99,7 @@ void draw_sample_buttons(Editor& editor, const PanelContext& context) {
   if (!ImGui::BeginTable("samples", 2)) return;
   for (const Sample& sample : samples) {
     ImGui::TableNextColumn();
-    if (ImGui::Button(sample.title.c_str(), {-1, 0})) editor.open(sample.path);
+    if (ImGui::Button(sample.title.c_str(), {-1, 0})) editor.open_sample(sample.path);
     tooltip(sample.description, look);
   }
   ImGui::EndTable();

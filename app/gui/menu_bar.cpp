@@ -20,7 +20,7 @@ void draw_command(const Command& command, Editor& editor) {
 void draw_samples(Editor& editor, const PanelContext& context) {
   if (!ImGui::BeginMenu("Samples", !context.state.samples.empty())) return;
   for (const Sample& sample : context.state.samples) {
-    if (ImGui::MenuItem(sample.title.c_str())) editor.open(sample.path);
+    if (ImGui::MenuItem(sample.title.c_str())) editor.open_sample(sample.path);
     tooltip(sample.description, context.look);
   }
   ImGui::EndMenu();

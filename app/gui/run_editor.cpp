@@ -58,7 +58,13 @@ class Session {
              .set_clipboard = [this](const std::string& text) { window_.set_clipboard(text); }}),
         log_(frame_log_file()) {}
 
-  void open(const std::filesystem::path& file) { editor_.open(file); }
+  /// A file, or the sample that invites a drag.
+  void open(const std::optional<std::filesystem::path>& file) {
+    if (file)
+      editor_.open(*file);
+    else
+      editor_.open_sample(welcome_scene());
+  }
 
   void run() {
     while (!ui_.wants_to_quit()) {
@@ -112,7 +118,7 @@ class Session {
 int run_editor(const std::optional<std::filesystem::path>& file) {
   if (!has_display()) throw Error(kNoDisplay);
   Session session;
-  session.open(file.value_or(welcome_scene()));
+  session.open(file);
   session.run();
   return 0;
 }

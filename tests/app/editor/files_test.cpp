@@ -183,6 +183,25 @@ TEST_F(Files, DroppedMeshOpens) {
   EXPECT_FALSE(editor_->is_dirty());
 }
 
+TEST_F(Files, SamplesAreCopiesThatAreSavedElsewhere) {
+  place(0);
+  ASSERT_TRUE(editor_->save_as(file("sample.json")));
+  editor_->open_sample(file("sample.json"));
+  EXPECT_EQ(editor_->document().handles.size(), 1U) << last_toast();
+  EXPECT_TRUE(editor_->path().empty());
+  EXPECT_FALSE(editor_->is_dirty());
+  editor_->save();
+  EXPECT_TRUE(has_request(Request::save_dialog));
+}
+
+TEST_F(Files, SliderMovedAfterSavingIsUnsaved) {
+  const ParameterRow& alpha = *find_parameter_row("alpha");
+  editor_->set_parameter(alpha, 1e6);
+  ASSERT_TRUE(editor_->save_as(file("scene.json")));
+  editor_->set_parameter(alpha, 2e6);
+  EXPECT_TRUE(editor_->is_dirty());
+}
+
 TEST_F(Files, TextureIsFoundAgainFromTheScenesFolder) {
   std::filesystem::create_directories(file("a/images"));
   write(file("a/images/cat.png"), "pixels");
