@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "app/gui/window_events.h"
 #include "core/error.h"
 
 namespace foldless {
@@ -92,7 +91,7 @@ void Window::wake() {
   if (!is_woken_.exchange(true)) glfwPostEmptyEvent();
 }
 
-std::vector<UiEvent> Window::take_events() { return std::exchange(events_, {}); }
+std::vector<UiEvent> Window::take_events() { return std::exchange(events_.events, {}); }
 
 bool Window::take_close_request() {
   const bool asked = glfwWindowShouldClose(window_) != 0;

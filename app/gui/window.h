@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gui/extent.h"
-#include "app/gui/ui_event.h"
+#include "app/gui/window_events.h"
 
 struct GLFWwindow;
 struct GLFWcursor;
@@ -52,7 +52,7 @@ class Window {
 
   GLFWwindow* window_ = nullptr;
   std::vector<GLFWcursor*> cursors_;
-  std::vector<UiEvent> events_;
+  WindowEvents events_;
   std::string title_;
   CursorShape cursor_ = CursorShape::arrow;
   std::atomic<bool> is_woken_ = false;

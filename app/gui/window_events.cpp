@@ -8,9 +8,11 @@
 namespace foldless {
 namespace {
 
-std::vector<UiEvent>& events_of(GLFWwindow* window) {
-  return *static_cast<std::vector<UiEvent>*>(glfwGetWindowUserPointer(window));
+WindowEvents& state_of(GLFWwindow* window) {
+  return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window));
 }
+
+std::vector<UiEvent>& events_of(GLFWwindow* window) { return state_of(window).events; }
 
 void send(GLFWwindow* window, InputEvent event) {
   events_of(window).emplace_back(std::move(event));
@@ -28,12 +30,6 @@ Modifiers held_modifiers(GLFWwindow* window) {
   return {is_down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
           is_down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
           is_down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
-}
-
-Vec2 pointer_of(GLFWwindow* window) {
-  Vec2 position;
-  glfwGetCursorPos(window, &position.x(), &position.y());
-  return position;
 }
 
 std::optional<Button> button_of(int button) {
@@ -120,16 +116,17 @@ void on_button(GLFWwindow* window, int glfw_button, int action, int mods) {
   const auto button = button_of(glfw_button);
   if (!button) return;
   if (action == GLFW_PRESS)
-    return send(window, PointerPressed{*button, pointer_of(window), modifiers_of(mods)});
-  send(window, PointerReleased{*button, pointer_of(window), modifiers_of(mods)});
+    return send(window, PointerPressed{*button, state_of(window).pointer, modifiers_of(mods)});
+  send(window, PointerReleased{*button, state_of(window).pointer, modifiers_of(mods)});
 }
 
 void on_motion(GLFWwindow* window, double x, double y) {
+  state_of(window).pointer = {x, y};
   send(window, PointerMoved{{x, y}, held_modifiers(window)});
 }
 
 void on_wheel(GLFWwindow* window, double, double notches) {
-  send(window, WheelTurned{notches, pointer_of(window)});
+  send(window, WheelTurned{notches, state_of(window).pointer});
 }
 
 void on_enter(GLFWwindow* window, int entered) {
@@ -148,7 +145,8 @@ void on_drop(GLFWwindow* window, int count, const char** paths) {
 
 }  // namespace
 
-void send_events_to(GLFWwindow* window, std::vector<UiEvent>& events) {
+void send_events_to(GLFWwindow* window, WindowEvents& events) {
+  glfwGetCursorPos(window, &events.pointer.x(), &events.pointer.y());
   glfwSetWindowUserPointer(window, &events);
   glfwSetKeyCallback(window, on_key);
   glfwSetCharCallback(window, on_character);

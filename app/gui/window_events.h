@@ -9,8 +9,16 @@ struct GLFWwindow;
 
 namespace foldless {
 
+/// What a window's callbacks keep.
+struct WindowEvents {
+  std::vector<UiEvent> events;  ///< in the order in which they happened
+  /// Where the pointer was at the newest event. GLFW asks the X server for the position of now,
+  /// which in a slow frame is not where a button was pressed.
+  Vec2 pointer = Vec2::Zero();
+};
+
 /// Sets the window's callbacks, which append to `events` from now on: it must outlive the window.
 /// Takes the window's user pointer.
-void send_events_to(GLFWwindow* window, std::vector<UiEvent>& events);
+void send_events_to(GLFWwindow* window, WindowEvents& events);
 
 }  // namespace foldless
