@@ -39,7 +39,7 @@ FillLayer::FillLayer(const std::filesystem::path& shader_folder)
 
 void FillLayer::set_texture(const Image* image) {
   if (image) {
-    image_.emplace(*image);
+    image_ = FillTexture(*image);  // made before the old one goes
   } else {
     image_.reset();
   }

@@ -29,21 +29,22 @@ bool is_selected(const Handle& handle, const SceneView& view) {
   return std::find(view.selected.begin(), view.selected.end(), handle.id) != view.selected.end();
 }
 
-/// Weight 1 makes a ring half as large again as a disc.
+/// Rings are wider than discs, so that their hole shows, and grow with the weight.
 float radius_of(const Handle& handle) {
   if (handle.kind != HandleKind::soft) return kHandleRadius;
   const auto weight = static_cast<float>(std::max(handle.weight, 0.0));
-  return kHandleRadius + 7 * weight / (1 + weight);
+  return kHandleRadius + 2 + 7 * weight / (1 + weight);
 }
 
-void add_halo(std::vector<Marker>& markers, const Marker& body, const glm::vec4& colour,
-              float reach) {
+/// A ring of `reach` pixels round a marker, which leaves it the shadow.
+void add_halo(std::vector<Marker>& markers, Marker& body, const glm::vec4& colour, float reach) {
   Marker halo = body;
   halo.radius += reach;
-  halo.fill = halo.rim = colour;
-  halo.rim_width = 0;
-  halo.shadow = 0;
+  halo.rim = colour;
+  halo.rim_width = reach + 0.5F * body.rim_width;  // reaches under the rim, but not into a ring
+  halo.fill = kNothing;
   markers.push_back(halo);
+  body.shadow = 0;
 }
 
 /// The ring of a soft handle, its light outline inside and outside.

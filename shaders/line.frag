@@ -20,6 +20,8 @@ float dashes(float along) {
 void main() {
   float beyond = max(max(-along_across.x, along_across.x - segment_length), 0.0);
   float distance = is_round == 1 ? length(vec2(beyond, along_across.y)) : abs(along_across.y);
+  // Round ends lie over the next segment: without their soft edge, else its edge would be doubled.
+  if (beyond > 0.0) distance += 0.5;
   float coverage = clamp(half_width + 0.5 - distance, 0.0, min(1.0, 2.0 * half_width));
   if (dash_length > 0.0) coverage *= dashes(along_across.x);
   float alpha = colour.a * coverage * fade;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/png_chunks.h"
+
+#include <gtest/gtest.h>
+
+namespace foldless {
+namespace {
+
+using namespace std::string_literals;
+
+TEST(PngChunks, EndChunkIsThatOfTheStandard) {
+  EXPECT_EQ(png_chunk({"IEND", ""}), "\0\0\0\0IEND\xAE\x42\x60\x82"s);
+}
+
+TEST(PngChunks, ComeBackOneByOne) {
+  const std::string file = png_chunk({"aaAa", "first"}) + png_chunk({"bbBb", ""});
+  std::size_t offset = 0;
+  const auto first = next_png_chunk(file, offset);
+  const auto second = next_png_chunk(file, offset);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->type, "aaAa");
+  EXPECT_EQ(first->data, "first");
+  EXPECT_EQ(second->type, "bbBb");
+  EXPECT_EQ(offset, file.size());
+  EXPECT_FALSE(next_png_chunk(file, offset));
+}
+
+TEST(PngChunks, AChunkThatIsCutShortIsNone) {
+  const std::string whole = png_chunk({"aaAa", "data"});
+  for (std::size_t kept = 0; kept < whole.size(); ++kept) {
+    std::size_t offset = 0;
+    EXPECT_FALSE(next_png_chunk(std::string_view(whole).substr(0, kept), offset)) << kept;
+  }
+}
+
+}  // namespace
+}  // namespace foldless
