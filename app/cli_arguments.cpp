@@ -61,7 +61,7 @@ int positive_integer(std::string_view text, const std::string& what) {
 
 /// A sample that the examples of the help name, by its path where it is installed.
 std::string sample() {
-  constexpr std::string_view kSample = "assets/scenes/bar_bend.json";
+  constexpr std::string_view kSample = "assets/scenes/figure5_coarse_disk.json";
   try {
     return data_path(kSample).lexically_normal().string();
   } catch (const Error&) {
@@ -184,13 +184,13 @@ CLI::App* add_check(CLI::App& app, CheckCall& call) {
 
 /// Every help ends with an example that can be pasted.
 void add_examples(CLI::App& app, const std::string& program) {
-  const std::string solved = program + " solve " + sample() + " -o bar_bend";
+  const std::string solved = program + " solve " + sample() + " -o coarse_disk";
   app.footer("Example:\n  " + program + " " + sample());
   app.get_subcommand("solve")->footer("Example:\n  " + solved + " --frames all --render");
   app.get_subcommand("render")->footer("Example:\n  " + program + " render " + sample() +
-                                       " -o bar_bend.png --view both");
+                                       " -o coarse_disk.png --view both");
   app.get_subcommand("check")->footer("Example:\n  " + solved + " && " + program +
-                                      " check bar_bend/rest.obj bar_bend/deformed.obj");
+                                      " check coarse_disk/rest.obj coarse_disk/deformed.obj");
 }
 
 }  // namespace

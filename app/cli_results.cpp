@@ -39,6 +39,14 @@ void make_folder(const fs::path& folder) {
   if (!fs::is_directory(folder)) throw Error(folder.string() + ": is not a folder");
 }
 
+/// Room for what a mesh does between its start and its targets.
+Box widened(Box box) {
+  const auto margin = 0.15 * (box.max - box.min);
+  box.min -= margin;
+  box.max += margin;
+  return box;
+}
+
 ImageTexts texts_of(const Snapshot& snapshot) {
   ImageTexts texts{{"Software", "Foldless"}};
   if (!snapshot.iteration) return texts;
@@ -50,11 +58,14 @@ ImageTexts texts_of(const Snapshot& snapshot) {
 }  // namespace
 
 Results::Results(fs::path folder, std::optional<FigureOptions> figure)
-    : folder_(std::move(folder)), figure_(std::move(figure)) {
+    : folder_(std::move(folder)) {
+  if (figure) figure_ = frame_figure_ = *std::move(figure);
   // A context first: without one nothing is to be written.
-  if (figure_) renderer_ = std::make_unique<FigureRenderer>();
+  if (figure) renderer_ = std::make_unique<FigureRenderer>();
   make_folder(folder_);
   remove_frames(folder_ / "frames");
+  std::error_code ignored;
+  if (!figure) fs::remove(folder_ / "deformed.png", ignored);
 }
 
 void Results::add_frame(const Snapshot& snapshot) {
@@ -63,7 +74,10 @@ void Results::add_frame(const Snapshot& snapshot) {
   number.insert(0, 6 - std::min<std::size_t>(6, number.size()), '0');
   const fs::path file = folder_ / "frames" / number;
   write_mesh(file.string() + ".obj", *snapshot.triangles, snapshot.deformed, snapshot.rest.get());
-  if (renderer_) draw(snapshot, file.string() + ".png");
+  if (!renderer_) return;
+  // All frames show what the first one does and a little more, so that they make a film.
+  if (!frame_figure_.frame) frame_figure_.frame = widened(frame_of(snapshot, frame_figure_.view));
+  draw(snapshot, frame_figure_, file.string() + ".png");
 }
 
 void Results::finish(const Solved& solved, const JsonNode& report) {
@@ -73,13 +87,11 @@ void Results::finish(const Solved& solved, const JsonNode& report) {
   write_mesh(folder_ / "deformed.obj", *state.triangles, state.deformed, &rest);
   write_file_atomically(folder_ / "iterations.csv", iterations_csv(solved.iterations));
   write_file_atomically(folder_ / "report.json", json_text(report));
-  if (renderer_) draw(state, folder_ / "deformed.png");
+  if (renderer_) draw(state, figure_, folder_ / "deformed.png");
 }
 
-void Results::draw(const Snapshot& snapshot, const fs::path& picture) {
-  // The first picture fixes what the others show, so that they make a film.
-  if (!figure_->frame) figure_->frame = frame_of(snapshot, figure_->view);
-  save_png(picture, renderer_->render(snapshot, *figure_), texts_of(snapshot));
+void Results::draw(const Snapshot& snapshot, const FigureOptions& figure, const fs::path& picture) {
+  save_png(picture, renderer_->render(snapshot, figure), texts_of(snapshot));
 }
 
 }  // namespace foldless

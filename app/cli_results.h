@@ -13,8 +13,9 @@ namespace foldless {
 /// The folder that `solve` writes into. Every file is replaced as a whole.
 class Results {
  public:
-  /// Makes the folder and removes the frames of an earlier run from it. With `figure` there are
-  /// pictures as well. Throws Error when the folder cannot be made or written to.
+  /// Makes the folder and removes the frames and the picture of an earlier run from it. With
+  /// `figure` there are pictures as well. Throws Error when the folder cannot be made or written
+  /// to.
   Results(std::filesystem::path folder, std::optional<FigureOptions> figure);
 
   /// Writes the next of frames/000000.obj …: M′ with the rest positions as `vt`, and its picture.
@@ -23,11 +24,13 @@ class Results {
   void finish(const Solved& solved, const JsonNode& report);
 
  private:
-  void draw(const Snapshot& snapshot, const std::filesystem::path& picture);
+  void draw(const Snapshot& snapshot, const FigureOptions& figure,
+            const std::filesystem::path& picture);
 
   std::filesystem::path folder_;
-  std::optional<FigureOptions> figure_;
-  std::unique_ptr<FigureRenderer> renderer_;
+  FigureOptions figure_;                      ///< of the result
+  FigureOptions frame_figure_;                ///< of the frames
+  std::unique_ptr<FigureRenderer> renderer_;  ///< null: no pictures
   int frames_ = 0;
 };
 
