@@ -34,9 +34,8 @@ void heading(const char* words, const Look& look) {
 }
 
 void draw_row(const std::string& keys, const std::string& effect, const Look& look) {
-  const float start = ImGui::GetCursorPosX();
   key_cap(keys, look);
-  ImGui::SameLine(start + look.px(124));
+  ImGui::SameLine(look.px(132));
   ImGui::TextUnformatted(effect.c_str());
 }
 
@@ -60,8 +59,11 @@ void draw_cheat_sheet(Editor&, const PanelContext& context) {
   const Look& look = context.look;
   const char* id = "##cheat sheet";
   if (state.shows_cheat_sheet && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
-  centre_next_window({960, 580}, look);
-  if (!ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav)) {
+  centre_next_window({1000, 540}, look);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(18), look.px(16)});
+  const bool is_open = ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleVar();
+  if (!is_open) {
     state.shows_cheat_sheet = false;
     return;
   }
@@ -71,11 +73,9 @@ void draw_cheat_sheet(Editor&, const PanelContext& context) {
     state.shows_cheat_sheet = false;
     ImGui::CloseCurrentPopup();
   }
-  ImGui::PushFont(look.fonts.title);
-  ImGui::TextUnformatted("Keys and mouse");
-  ImGui::PopFont();
+  title_text("Keys and mouse", look);
   const int columns = ImGui::GetContentRegionAvail().x > look.px(840) ? 3 : 2;
-  if (ImGui::BeginTable("columns", columns)) {
+  if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
     draw_gestures(look);
     draw_menu("Help", look);

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
 #include "app/editor/commands.h"
@@ -17,10 +18,17 @@ std::string words_of(const Command& command) {
   return std::string(command.menu) + ": " + std::string(command.title);
 }
 
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
 std::vector<const Command*> matches(const std::string& text) {
   std::vector<const Command*> found;
   for (const Command& command : commands())
     if (matches_filter(words_of(command), text)) found.push_back(&command);
+  // Letters in one piece before letters that are scattered.
+  std::ranges::stable_partition(found, [&text](const Command* command) {
+    const std::string words = words_of(*command);
+    return text.empty() || !std::ranges::search(words, text, {}, lower, lower).empty();
+  });
   return found;
 }
 

@@ -5,38 +5,14 @@
 #include "app/gui/widgets.h"
 
 namespace foldless {
-namespace {
-
-constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                                     ImGuiWindowFlags_AlwaysAutoResize;
-
-void heading(const char* words, const Look& look) {
-  ImGui::PushFont(look.fonts.title);
-  ImGui::TextUnformatted(words);
-  ImGui::PopFont();
-}
-
-void place_in_middle() {
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-}
-
-}  // namespace
-
 void draw_unsaved_question(Editor& editor, const PanelContext& context) {
   const char* id = "##unsaved";
   const bool is_asked = editor.question() != nullptr && !context.state.browser.is_open();
   if (is_asked && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
-  place_in_middle();
-  if (!ImGui::BeginPopupModal(id, nullptr, kDialog)) return;
-  if (!is_asked) {
-    ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-    return;
-  }
   const Look& look = context.look;
-  heading("Save the changes?", look);
+  if (!begin_dialog(id, look)) return;
+  if (!is_asked) ImGui::CloseCurrentPopup();
+  title_text("Save the changes?", look);
   const std::string name =
       editor.path().empty() ? "This scene has never been saved." : editor.path().string();
   dim_text(name, look);
@@ -46,16 +22,15 @@ void draw_unsaved_question(Editor& editor, const PanelContext& context) {
   if (ImGui::Button("Discard the changes")) editor.answer(Answer::discard);
   ImGui::SameLine();
   if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) editor.answer(Answer::cancel);
-  ImGui::EndPopup();
+  end_dialog();
 }
 
 void draw_about(const PanelContext& context) {
   const char* id = "##about";
   if (context.state.shows_about && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
-  place_in_middle();
-  if (!ImGui::BeginPopupModal(id, nullptr, kDialog)) return;
   const Look& look = context.look;
-  heading("Foldless", look);
+  if (!begin_dialog(id, look)) return;
+  title_text("Foldless", look);
   ImGui::PushTextWrapPos(look.px(400));
   ImGui::TextUnformatted(
       "Deforms planar triangle meshes without a fold: every mesh on screen and "
@@ -72,7 +47,7 @@ void draw_about(const PanelContext& context) {
     context.state.shows_about = false;
     ImGui::CloseCurrentPopup();
   }
-  ImGui::EndPopup();
+  end_dialog();
 }
 
 void draw_dialogs(Editor& editor, const PanelContext& context) {

@@ -44,14 +44,8 @@ std::optional<ExportJob> ExportDialog::take_order() { return std::exchange(order
 
 void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
   if (std::exchange(opens_now_, false)) ImGui::OpenPopup("##export");
-  centre_next_window({460, 350}, look);
-  if (!ImGui::BeginPopupModal("##export", nullptr,
-                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav))
-    return;
-  ImGui::PushFont(look.fonts.title);
-  ImGui::TextUnformatted("Export");
-  ImGui::PopFont();
+  if (!begin_dialog("##export", look, ImVec2{480, 350})) return;
+  title_text("Export", look);
   ImGui::BeginChild("options", {0, -ImGui::GetFrameHeightWithSpacing()});
   draw_options(editor, look);
   ImGui::EndChild();
@@ -61,7 +55,7 @@ void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
   }
   ImGui::SameLine();
   if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
+  end_dialog();
 }
 
 void ExportDialog::draw_options(const Editor& editor, const Look& look) {

@@ -110,14 +110,8 @@ void FileBrowser::draw(const Look& look) {
   if (opens_now_) ImGui::OpenPopup("##file browser");
   opens_now_ = false;
   if (!is_open_) return;
-  centre_next_window({760, 500}, look);
-  if (!ImGui::BeginPopupModal("##file browser", nullptr,
-                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav))
-    return;
-  ImGui::PushFont(look.fonts.title);
-  ImGui::TextUnformatted(request_.title.c_str());
-  ImGui::PopFont();
+  if (!begin_dialog("##file browser", look, ImVec2{780, 520})) return;
+  title_text(request_.title.c_str(), look);
   draw_breadcrumbs(look);
   const float footer = ImGui::GetFrameHeightWithSpacing() * 2 + look.px(8);
   ImGui::BeginChild("places", {look.px(150), -footer});
@@ -131,7 +125,7 @@ void FileBrowser::draw(const Look& look) {
   ImGui::PopStyleColor();
   draw_footer(look);
   handle_keys();
-  ImGui::EndPopup();
+  end_dialog();
 }
 
 void FileBrowser::draw_breadcrumbs(const Look& look) {
@@ -164,7 +158,7 @@ void FileBrowser::draw_places(const Look& look) {
   dim_text("Places", look);
   if (const char* home = std::getenv("HOME")) place("Home", home);
   place("Whole disk", "/");
-  for (const auto& folder : request_.places) place(folder.filename().string(), folder);
+  for (const auto& [label, folder] : request_.places) place(label, folder);
 }
 
 void FileBrowser::draw_entries(const Look& look) {

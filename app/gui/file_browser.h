@@ -11,6 +11,12 @@
 
 namespace foldless {
 
+/// A folder one click away.
+struct Place {
+  std::string label;
+  std::filesystem::path folder;
+};
+
 /// What the file browser is asked for.
 struct FileRequest {
   enum class Purpose { open, save };
@@ -18,7 +24,7 @@ struct FileRequest {
   std::string title;
   std::vector<std::string> extensions;  ///< `.json`; the first is added to a name that has none
   std::filesystem::path start;          ///< folder, or suggested file
-  std::vector<std::filesystem::path> places;  ///< folders one click away, beside home
+  std::vector<Place> places;            ///< beside home
   std::function<void(const std::filesystem::path&)> chosen;
   std::function<void()> dismissed;  ///< may be empty
 };

@@ -42,8 +42,8 @@ void draw_row(std::size_t index, Editor& editor, const PanelContext& context) {
 
 void draw_header(const Look& look) {
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, look.px(36));
-  ImGui::TableSetupColumn("Phase", ImGuiTableColumnFlags_WidthStretch, 1.1F);
+  ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, look.px(30));
+  ImGui::TableSetupColumn("Phase", ImGuiTableColumnFlags_WidthFixed, look.px(42));
   ImGui::TableSetupColumn("E", ImGuiTableColumnFlags_WidthStretch, 1.2F);
   ImGui::TableSetupColumn("‖P‖²", ImGuiTableColumnFlags_WidthStretch, 1.2F);
   ImGui::TableSetupColumn("Edges", ImGuiTableColumnFlags_WidthFixed, look.px(38));
@@ -56,7 +56,7 @@ void draw_iterations_panel(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   const std::size_t count = editor.iterations().size();
   if (count == 0) return dim_text("None since the last edit.", look);
-  const float height = std::max(ImGui::GetContentRegionAvail().y - look.px(6), look.px(140));
+  const float height = std::max(ImGui::GetContentRegionAvail().y - look.px(14), look.px(96));
   ImGui::PushFont(look.fonts.small);
   if (ImGui::BeginTable("iterations", 5, ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH,
                         {0, height})) {

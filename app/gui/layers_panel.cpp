@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "app/gui/heat_legend.h"
@@ -33,10 +34,15 @@ void draw_heat_controls(ViewOptions& view, const PanelContext& context) {
 
 void draw_checker_slider(ViewOptions& view, const Look& look) {
   auto squares = static_cast<float>(view.checker_squares);
+  constexpr float kFewest = 2, kMost = 128;
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderFloat("##checker", &squares, 2, 128, "%.0f checker squares",
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, ImVec4{0, 0, 0, 0});
+  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, ImVec4{0, 0, 0, 0});
+  if (ImGui::SliderFloat("##checker", &squares, kFewest, kMost, "%.0f checker squares",
                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp))
     view.checker_squares = squares;
+  ImGui::PopStyleColor(2);
+  slider_line(std::log(squares / kFewest) / std::log(kMost / kFewest), look);
   tooltip("Squares along the longer side of the mesh at rest. Ctrl-click to type a number.", look);
 }
 

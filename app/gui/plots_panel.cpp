@@ -32,7 +32,7 @@ void draw_plots_panel(Editor& editor, const PanelContext& context) {
     for (std::size_t n = 0; n < iterations.size(); ++n) values[n] = iterations[n].*kSeries[i].value;
     const Plot plot{
         kSeries[i].id,           kSeries[i].title,  values,
-        look.palette->series[i], editor.scrubbed(), {ImGui::GetContentRegionAvail().x, look.px(78)},
+        look.palette->series[i], editor.scrubbed(), {ImGui::GetContentRegionAvail().x, look.px(72)},
         look.fonts.small};
     const auto chosen = draw_log_plot(plot, *look.palette);
     if (chosen && editor.can_scrub()) editor.scrub(*chosen);

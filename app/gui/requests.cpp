@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/requests.h"
 
+#include <utility>
+
 #include "core/data_path.h"
 #include "core/error.h"
 
 namespace foldless {
 namespace {
 
-using Paths = std::vector<std::filesystem::path>;
-
-Paths data_places() {
-  Paths places;
-  for (const char* folder : {"assets/scenes", "assets/meshes", "assets/images"}) {
+/// The samples that come with the program.
+std::vector<Place> data_places() {
+  std::vector<Place> places;
+  for (const auto& [label, folder] :
+       {std::pair{"Sample scenes", "assets/scenes"}, std::pair{"Sample meshes", "assets/meshes"},
+        std::pair{"Sample images", "assets/images"}}) {
     try {
-      places.push_back(data_path(folder));
+      places.push_back({label, data_path(folder)});
     } catch (const Error&) {
       // A program without its samples still opens files.
     }

@@ -37,23 +37,35 @@ double rounded(double value) {
   return std::round(value / unit) * unit;
 }
 
+double slider_position(const ParameterRow& row, double value) {
+  if (row.scale == ParameterScale::linear)
+    return (value - row.minimum) / (row.maximum - row.minimum);
+  return std::log(value / row.minimum) / std::log(row.maximum / row.minimum);
+}
+
 /// A slider that shows its number in words, but exactly while one types.
-bool draw_slider(const ParameterRow& row, double& value) {
-  const bool is_typing = ImGui::GetIO().WantTextInput;
-  if (!is_typing) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0, 0, 0, 0});
+bool draw_slider(const ParameterRow& row, double& value, const Look& look) {
+  bool& is_typing = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("typing"), false);
+  const bool shows_words = !is_typing;
+  const ImVec4 invisible{0, 0, 0, 0};
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, invisible);
+  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, invisible);
+  if (shows_words) ImGui::PushStyleColor(ImGuiCol_Text, invisible);
   ImGuiSliderFlags flags = ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_AlwaysClamp;
   if (row.scale != ParameterScale::linear) flags |= ImGuiSliderFlags_Logarithmic;
-  bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &row.minimum,
-                                     &row.maximum, kExactFormat, flags);
-  if (!is_typing) ImGui::PopStyleColor();
-  if (changed && !is_typing && value != 0) value = rounded(value);
+  const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &row.minimum,
+                                           &row.maximum, kExactFormat, flags);
+  ImGui::PopStyleColor(shows_words ? 3 : 2);
+  is_typing = ImGui::IsItemActive() && ImGui::GetIO().WantTextInput;
+  if (changed && shows_words && value != 0) value = rounded(value);
   if (row.scale == ParameterScale::whole) value = std::round(value);
-  if (is_typing) return changed;
+  if (!shows_words) return changed;
+  slider_line(slider_position(row, value), look);
   const std::string words = number_words(value);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   ImGui::GetWindowDrawList()->AddText(
-      {(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2},
+      {(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2 - look.px(1)},
       ImGui::GetColorU32(ImGuiCol_Text), words.c_str());
   return changed;
 }
@@ -69,7 +81,7 @@ void draw_label(const ParameterRow& row, bool changed, const Look& look) {
   ImGui::TextUnformatted(row.title.data(), row.title.data() + row.title.size());
 }
 
-void draw_value(const ParameterRow& row, Editor& editor, float width) {
+void draw_value(const ParameterRow& row, Editor& editor, float width, const Look& look) {
   const Document& document = editor.document();
   double value = row.get(document.parameters, *document.energy);
   if (row.scale == ParameterScale::on_off) {
@@ -78,7 +90,7 @@ void draw_value(const ParameterRow& row, Editor& editor, float width) {
     return;
   }
   ImGui::SetNextItemWidth(width);
-  if (draw_slider(row, value)) editor.set_parameter(row, value);
+  if (draw_slider(row, value, look)) editor.set_parameter(row, value);
 }
 
 std::string tooltip_words(const ParameterRow& row, const Density& energy) {
@@ -101,7 +113,7 @@ void draw_parameter(const ParameterRow& row, Editor& editor, const Look& look) {
   tooltip(words, look);
   ImGui::TableNextColumn();
   const float reset = ImGui::GetFrameHeight() + look.px(3);
-  draw_value(row, editor, ImGui::GetContentRegionAvail().x - reset);
+  draw_value(row, editor, ImGui::GetContentRegionAvail().x - reset, look);
   tooltip(words, look);
   if (changed) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
@@ -154,7 +166,7 @@ void draw_choices(Editor& editor, const Look& look) {
 void draw_solver_panel(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   draw_choices(editor, look);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{look.px(5), look.px(1)});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{look.px(5), look.px(1.5F)});
   if (ImGui::BeginTable("parameters", 2)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, look.px(134));
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);

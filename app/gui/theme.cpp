@@ -51,6 +51,9 @@ void set_control_colours(ImGuiStyle& style, const Palette& p) {
                            ImGuiCol_NavHighlight, ImGuiCol_DragDropTarget})
     c[accent] = p.accent;
   c[ImGuiCol_Header] = p.frame;
+  // Numbers are written over the grab.
+  c[ImGuiCol_SliderGrab].w = 0.55F;
+  c[ImGuiCol_SliderGrabActive].w = 0.8F;
   c[ImGuiCol_TextSelectedBg] = p.accent;
   c[ImGuiCol_TextSelectedBg].w = 0.4F;
 }

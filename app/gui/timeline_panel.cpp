@@ -60,9 +60,12 @@ void draw_scrubber(Editor& editor, const Look& look, float width) {
   const std::string words =
       count == 0 ? "No iterations yet"
                  : "Iteration " + std::to_string(shown) + " of " + std::to_string(count);
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab,
+                        count > 1 ? ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab) : ImVec4{});
   if (ImGui::SliderInt("##iteration", &shown, std::min(1, count), std::max(count, 1), words.c_str(),
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
     editor.scrub(static_cast<std::size_t>(std::max(shown, 1) - 1));
+  ImGui::PopStyleColor();
   ImGui::EndDisabled();
   tooltip(editor.can_scrub() ? "Drag through the iterations since the last edit ( , and . step)."
                              : "Pause or finish solving to go through its iterations.",

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/gui/canvas_input.h"
 #include "app/gui/canvas_overlay.h"
@@ -60,6 +61,7 @@ struct Ui::Parts {
   std::string clipboard;          ///< keeps the text alive that ImGui was given
   double time = 0;
   int settling = kSettlingFrames;
+  bool scale_changed = false;  ///< the canvas shrank or grew under the drawing
 
   std::filesystem::path settings_file() const { return options.state_folder / "settings.json"; }
   void connect_clipboard();
@@ -89,6 +91,7 @@ void Ui::Parts::follow_scale(const FrameSpec& spec) {
   const Palette& palette = palette_of(state.settings.theme);
   if (scale == look.scale && &palette == look.palette && look.fonts.text) return;
   if (scale != look.scale || !look.fonts.text) {
+    scale_changed = look.fonts.text != nullptr;
     look.fonts = build_fonts(scale);
     ui_renderer.upload_fonts(*ImGui::GetIO().Fonts);
   }
@@ -166,6 +169,7 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   ImGui::NewFrame();
   editor.resize(static_cast<int>(p.layout.canvas.width), static_cast<int>(p.layout.canvas.height),
                 p.look.scale);
+  if (std::exchange(p.scale_changed, false)) editor.fit_all();
   route(editor, events, spec.time);
   editor.view().theme = p.state.settings.theme;
   editor.update(spec.time);

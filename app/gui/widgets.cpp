@@ -100,11 +100,27 @@ bool main_button(const char* label, const Look& look) {
 }
 
 bool section(const char* title, const Look& look) {
-  ImGui::PushFont(look.fonts.bold);
-  ImGui::PushStyleColor(ImGuiCol_Header, ImVec4{0, 0, 0, 0});
-  const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID id = ImGui::GetID("open");
+  bool open = storage.GetBool(id, true);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  if (ImGui::InvisibleButton("##heading", {ImGui::GetContentRegionAvail().x, height})) open = !open;
+  storage.SetBool(id, open);
+  const ImVec4& colour = ImGui::IsItemHovered() ? look.palette->text : look.palette->dim;
+  const float r = look.px(3.2F);
+  const ImVec2 c{corner.x + r, corner.y + height / 2};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (open)
+    list.AddTriangleFilled({c.x - r, c.y - r * 0.6F}, {c.x + r, c.y - r * 0.6F}, {c.x, c.y + r},
+                           packed(colour));
+  else
+    list.AddTriangleFilled({c.x - r * 0.6F, c.y - r}, {c.x - r * 0.6F, c.y + r}, {c.x + r, c.y},
+                           packed(colour));
+  ImFont* font = look.fonts.bold;
+  list.AddText(font, font->FontSize,
+               {corner.x + look.px(14), corner.y + (height - font->FontSize) / 2},
+               packed(look.palette->text), title);
   return open;
 }
 
@@ -148,6 +164,43 @@ void centre_next_window(const ImVec2& size, const Look& look) {
                       std::min(look.px(size.y), display.y * 0.94F)};
   ImGui::SetNextWindowSize(fitted);
   ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+}
+
+bool begin_dialog(const char* id, const Look& look, std::optional<ImVec2> size) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
+  if (size) {
+    centre_next_window(*size, look);
+  } else {
+    ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+    flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(18), look.px(16)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0F, std::floor(look.scale)));
+  const bool is_open = ImGui::BeginPopupModal(id, nullptr, flags);
+  ImGui::PopStyleVar(3);
+  return is_open;
+}
+
+void end_dialog() { ImGui::EndPopup(); }
+
+void title_text(const char* words, const Look& look) {
+  ImGui::PushFont(look.fonts.title);
+  ImGui::TextUnformatted(words);
+  ImGui::PopFont();
+  ImGui::Dummy({0, look.px(2)});
+}
+
+void slider_line(double position, const Look& look) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float inset = look.px(3);
+  const float width = high.x - low.x - 2 * inset;
+  const auto end = static_cast<float>(std::clamp(position, 0.0, 1.0)) * width;
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      {low.x + inset, high.y - look.px(3)}, {low.x + inset + end, high.y - look.px(1)},
+      packed(look.palette->accent, ImGui::GetStyle().Alpha), look.px(1));
 }
 
 bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 
 #include "app/gui/look.h"
@@ -33,6 +34,18 @@ void key_cap(const std::string& key, const Look& look);
 
 /// Places the next window in the middle, at most `size` design pixels and always inside.
 void centre_next_window(const ImVec2& size, const Look& look);
+
+/// Opens a modal dialog's window in the middle: `size` design pixels, or as large as its content
+/// when absent. When true, end_dialog() must follow.
+bool begin_dialog(const char* id, const Look& look, std::optional<ImVec2> size = std::nullopt);
+void end_dialog();
+
+/// A large heading.
+void title_text(const char* words, const Look& look);
+
+/// Draws how far a slider stands, 0 … 1, as a line at the bottom of the last item, which leaves its
+/// number readable.
+void slider_line(double position, const Look& look);
 
 /// True in the frame in which the key went down or repeats.
 bool is_pressed(ImGuiKey key);

@@ -17,7 +17,7 @@ TEST(DecadesOf, HoldsEveryPositiveValue) {
 }
 
 TEST(DecadesOf, LeavesOutWhatALogarithmCannotShow) {
-  const std::array values{0.0, -1.0, INFINITY, NAN, 5.0};
+  const std::array<double, 5> values{0.0, -1.0, INFINITY, NAN, 5.0};
   const DecadeRange range = decades_of(values);
   EXPECT_EQ(range.low, 0);
   EXPECT_EQ(range.high, 1);
