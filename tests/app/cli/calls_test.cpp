@@ -54,6 +54,9 @@ TEST(Help, OfEveryCallEndsWithAnExample) {
     const std::string example = ended.out.substr(start + 9);
     EXPECT_EQ(std::ranges::count(example, '\n'), 1) << "the last line: " << example;
     EXPECT_NE(example.find("foldless " + call), std::string::npos);
+    const std::size_t path = example.find('/');
+    const std::string sample = example.substr(path, example.find(".json") + 5 - path);
+    EXPECT_TRUE(std::filesystem::exists(sample)) << "cannot be pasted: " << sample;
   }
 }
 
