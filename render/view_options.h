@@ -59,7 +59,7 @@ enum class Background {
 /// How a mesh is shown: plain values that a document can keep.
 struct ViewOptions {
   Layers layers;
-  double checker_squares = 16;  ///< squares along the longer side of the rest mesh's box
+  double checker_squares = 20;  ///< squares along the longer side of the rest mesh's box
   HeatMeasure heat_measure = HeatMeasure::conformal;
   Theme theme = Theme::dark;
   Background background = Background::theme;
