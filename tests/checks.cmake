@@ -16,3 +16,8 @@ if(CLANG_FORMAT)
                    -DCLANG_FORMAT=${CLANG_FORMAT} -P ${CMAKE_CURRENT_SOURCE_DIR}/format_test.cmake)
   set_tests_properties(Format.HoldsInTheSources PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED:")
 endif()
+
+add_test(NAME Install.GivesAProgramThatFindsItsData
+         COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR}
+                 -DPREFIX=${CMAKE_CURRENT_BINARY_DIR}/installed
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/install_test.cmake)
