@@ -31,9 +31,9 @@ struct Snapshot {
   std::uint64_t generation = 0;  ///< which load of the worker it belongs to
   std::uint64_t revision =
       0;  ///< changes whenever `triangles` or `rest` changes, unique in a process
-  std::shared_ptr<const Triangles> triangles;              ///< 3 × #F, counter-clockwise
-  std::shared_ptr<const Points> rest;                      ///< 2 × #V, M
-  Points deformed;                                         ///< 2 × #V, M′
+  std::shared_ptr<const Triangles> triangles;  ///< 3 × #F, counter-clockwise
+  std::shared_ptr<const Points> rest;          ///< 2 × #V, M
+  Points deformed;                             ///< 2 × #V, M′
   /// Edges between original vertices that the original mesh lacks, sorted.
   std::shared_ptr<const std::vector<Edge>> flipped_edges;
   int original_vertices = 0;  ///< vertices with this index or more came from splits

@@ -108,8 +108,8 @@ std::optional<Outcome> RemeshingAssisted::convergence(const VertexUpdate& update
   return std::nullopt;
 }
 
-// Lines 10–13. Without splits another round only begins where this one ended, so it can help after a
-// step that was too small, not at a minimum and not after N_in repeats (`M` of Table 1).
+// Lines 10–13. Without splits another round only begins where this one ended, so it can help after
+// a step that was too small, not at a minimum and not after N_in repeats (`M` of Table 1).
 void RemeshingAssisted::end_inner_loop(Outcome outcome) {
   const bool next_round_can_differ = outcome == Outcome::step && round_changed_mesh_;
   phase_ = Phase::update;

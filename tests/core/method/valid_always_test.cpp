@@ -90,7 +90,8 @@ TEST(ValidAlways, NoStepOfAlgorithm1LeavesTheFeasibleSetAndNoFlipRaisesTheEnergy
 TEST(ValidAlways, EveryMeshOfAWholeRunIsInjectiveWhereverItIsCancelled) {
   for (int seed = 1000; seed < 1040; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    RemeshingAssisted method(test::random_problem(static_cast<std::uint64_t>(seed)), {.flips = true});
+    RemeshingAssisted method(test::random_problem(static_cast<std::uint64_t>(seed)),
+                             {.flips = true});
     for (int step = 0; step < 60 && method.step({}); ++step)
       ASSERT_TRUE(
           is_injective(method.mesh().triangles(), method.mesh().rest(), method.mesh().deformed()))
