@@ -2,18 +2,15 @@
 #include "app/cli_interrupt.h"
 
 #include <ctime>
-#include <initializer_list>
 
 namespace foldless {
 
+// Signals that are blocked stay pending though they are ignored, as SIGINT is for the background
+// jobs of a script: whoever sends one to this process by its number means it.
 Interrupt::Interrupt() {
   sigemptyset(&signals_);
-  for (const int number : {SIGINT, SIGTERM}) {
-    // A job in the background of a script ignores SIGINT, and is to go on doing so.
-    struct sigaction action {};
-    sigaction(number, nullptr, &action);
-    if (action.sa_handler != SIG_IGN) sigaddset(&signals_, number);
-  }
+  sigaddset(&signals_, SIGINT);
+  sigaddset(&signals_, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &signals_, &previous_);
 }
 
@@ -27,9 +24,7 @@ Interrupt::~Interrupt() {
 bool Interrupt::is_requested() const {
   sigset_t pending;
   sigpending(&pending);
-  for (const int number : {SIGINT, SIGTERM})
-    if (sigismember(&signals_, number) == 1 && sigismember(&pending, number) == 1) return true;
-  return false;
+  return sigismember(&pending, SIGINT) == 1 || sigismember(&pending, SIGTERM) == 1;
 }
 
 }  // namespace foldless

@@ -19,7 +19,7 @@ class Interrupt {
   bool is_requested() const;
 
  private:
-  sigset_t signals_;   ///< those of the two that are not ignored
+  sigset_t signals_;   ///< the two
   sigset_t previous_;  ///< the mask before
 };
 

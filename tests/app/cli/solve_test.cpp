@@ -275,6 +275,13 @@ void interrupt_with(int signal) {
 
 TEST(Solve, InterruptedItWritesTheLastValidMesh) { interrupt_with(SIGINT); }
 
+TEST(Solve, InterruptedInTheBackgroundOfAScriptItDoesSoToo) {
+  // Shells start background jobs with SIGINT ignored, and processes inherit that.
+  const auto previous = std::signal(SIGINT, SIG_IGN);
+  interrupt_with(SIGINT);
+  std::signal(SIGINT, previous);
+}
+
 TEST(Solve, TerminatedItWritesTheLastValidMesh) { interrupt_with(SIGTERM); }
 
 }  // namespace
