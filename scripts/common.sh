@@ -65,9 +65,7 @@ configure() {
     launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   fi
   say "configuring build/$1"
-  # Debian's glad is a module of Debian's python3; another python3 may come first in PATH.
-  (cd "$project_dir" && cmake --preset "$1" --log-level=WARNING \
-    -DPython3_EXECUTABLE=/usr/bin/python3 "${launcher[@]}" >/dev/null)
+  (cd "$project_dir" && cmake --preset "$1" --log-level=WARNING "${launcher[@]}" >/dev/null)
   touch "$build_dir/build.ninja"
 }
 
