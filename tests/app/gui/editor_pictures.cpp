@@ -14,10 +14,18 @@ namespace {
 
 constexpr Modifiers kControl{.control = true};
 
-/// Holds the last handle away from where it was, long enough for ghosts and a few iterations.
-void begin_drag(HeadlessEditor& headless, const Vec2& by) {
-  const Handle handle = headless.editor().document().handles.back();
-  const Vec2 from = headless.window_point(headless.position(handle.vertex));
+/// Where the rightmost handle is in the window: a hand of the figure on the first screen.
+Vec2 right_hand(HeadlessEditor& headless) {
+  Vec2 rightmost(-1, 0);
+  for (const Handle& handle : headless.editor().document().handles) {
+    const Vec2 point = headless.window_point(headless.position(handle.vertex));
+    if (point.x() > rightmost.x()) rightmost = point;
+  }
+  return rightmost;
+}
+
+/// Pulls a handle and does not let go.
+void begin_drag(HeadlessEditor& headless, const Vec2& from, const Vec2& by) {
   headless.press(from);
   headless.move(from + by / 2);
   headless.move(from + by);
@@ -66,11 +74,10 @@ void draw_all(const std::filesystem::path& folder) {
   headless.settle();
   headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
   shoot("start.png");
-  const Vec2 by{-70, -130};
-  const Vec2 from =
-      headless.window_point(headless.position(headless.editor().document().handles.back().vertex));
+  const Vec2 by{-60, -170};
+  const Vec2 from = right_hand(headless);
   headless.editor().set_pace(4);
-  begin_drag(headless, by);
+  begin_drag(headless, from, by);
   headless.wait_until([&] { return headless.editor().iterations().size() >= 2; }, 5);
   shoot("drag.png");
   headless.editor().set_pace(std::nullopt);

@@ -45,10 +45,15 @@ class WholeEditor : public testing::Test {
     return is_injective(*shown.triangles, *shown.rest) &&
            is_injective(*shown.triangles, shown.deformed);
   }
+  /// Selection is no part of the document: a scene opens without one.
+  void deselect() {
+    headless_.key(Key::a, kControlShift);
+    headless_.calm_down();
+  }
   void place_two_handles() {
     click_vertex(left_);
     click_vertex(right_);
-    headless_.calm_down();
+    deselect();
   }
   /// Drags the right handle by (dx, dy) window coordinates and waits for the solver.
   void drag_right_handle(const Vec2& by) {
@@ -58,7 +63,7 @@ class WholeEditor : public testing::Test {
     headless_.move(from + by);
     headless_.release(from + by);
     ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
-    headless_.calm_down();
+    deselect();
   }
   void save_by_keyboard(const std::filesystem::path& path) {
     headless_.key(Key::s, kControl);
@@ -69,7 +74,7 @@ class WholeEditor : public testing::Test {
   }
 
   std::filesystem::path folder_;
-  HeadlessEditor headless_;
+  HeadlessEditor headless_{{1000, 640}};
   int left_ = 0;
   int right_ = 0;
 };

@@ -13,6 +13,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -170,7 +171,8 @@ TEST_F(RealWindow, MouseDragBendsTheMeshAndSavingKeepsIt) {
   ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }, 20s))
       << "Ctrl+S saved nothing";
 
-  const Scene scene = load_scene(scene_);
+  const std::vector<std::string_view> methods{"paper-flip"};
+  const Scene scene = load_scene(scene_, methods).scene;
   EXPECT_EQ(scene.handles.size(), 3U) << "the press should have placed a handle";
   ASSERT_TRUE(scene.state.has_value());
   const double moved = (scene.state->deformed - scene.state->rest).colwise().norm().maxCoeff();
