@@ -8,6 +8,9 @@
 namespace foldless {
 namespace {
 
+/// A round that leaves more of ‖P‖² than this has stopped gaining.
+constexpr double kGainOfARound = 0.9;
+
 double mean_rest_area(const MeshPair& mesh) {
   double sum = 0;
   for (const auto& t : mesh.triangles().colwise()) sum += signed_area(mesh.rest(), t);
@@ -37,6 +40,7 @@ RemeshingAssisted::RemeshingAssisted(Problem problem, Remeshing remeshing)
       system_(energy_settings({mesh_, problem.energy, {}, parameters_}), mesh_, positions_) {
   flip_settings_ = {system_.objective().settings(), parameters_.eta, parameters_.condition_test};
   if (system_.objective().unknowns().count() == 0) outcome_ = Outcome::gradient;
+  begin_round();
 }
 
 std::unique_ptr<Method> RemeshingAssisted::clone() const {
@@ -46,8 +50,8 @@ std::unique_ptr<Method> RemeshingAssisted::clone() const {
 void RemeshingAssisted::set_targets(const Points& targets) {
   positions_.targets = targets;
   phase_ = Phase::update;
-  outer_ = inner_ = 0;
-  round_changed_mesh_ = false;
+  outer_ = 0;
+  begin_round();
   if (system_.objective().unknowns().count() > 0) outcome_.reset();
 }
 
@@ -108,18 +112,26 @@ std::optional<Outcome> RemeshingAssisted::convergence(const VertexUpdate& update
   return std::nullopt;
 }
 
-// Lines 10–13. Without splits another round only begins where this one ended, so it can help after
-// a step that was too small, not at a minimum and not after N_in repeats (`M` of Table 1).
+// Lines 10–13. Without splits another round only begins where this one ended: it can help when the
+// last step was too small, or after N_in repeats that were still gaining on the targets.
 void RemeshingAssisted::end_inner_loop(Outcome outcome) {
-  const bool next_round_can_differ = outcome == Outcome::step && round_changed_mesh_;
+  const double error = handle_error_squared(positions_, mesh_.deformed());
+  const bool is_gaining = error < kGainOfARound * round_start_error_;
+  const bool next_round_can_differ = (outcome == Outcome::step && round_changed_mesh_) ||
+                                     (outcome == Outcome::iteration_limit && is_gaining);
   phase_ = Phase::update;
   if (is_satisfied() || !next_round_can_differ || outer_ + 1 >= parameters_.outer_iterations) {
     outcome_ = outcome;
     return;
   }
   ++outer_;
+  begin_round();
+}
+
+void RemeshingAssisted::begin_round() {
   inner_ = 0;
   round_changed_mesh_ = false;
+  round_start_error_ = handle_error_squared(positions_, mesh_.deformed());
 }
 
 bool RemeshingAssisted::is_small(const VertexUpdate& update) const {

@@ -33,6 +33,7 @@ class RemeshingAssisted final : public Method {
   Iteration after_updating(const VertexUpdate& update);
   std::optional<Outcome> convergence(const VertexUpdate& update) const;
   void end_inner_loop(Outcome outcome);
+  void begin_round();
   bool is_small(const VertexUpdate& update) const;
   bool is_satisfied() const;
   int flip();
@@ -51,6 +52,7 @@ class RemeshingAssisted final : public Method {
   int outer_ = 0;
   int inner_ = 0;
   bool round_changed_mesh_ = false;  ///< something moved or flipped in this outer round
+  double round_start_error_ = 0;     ///< ‖P‖² when the outer round began
   int flips_ = 0;
   double seconds_ = 0;
 };
