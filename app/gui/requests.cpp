@@ -93,8 +93,9 @@ std::string suggested_name(const Editor& editor) {
   return name.empty() ? "scene" : std::filesystem::path(name).stem().string();
 }
 
-void handle_requests(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder) {
-  for (const Request request : editor.take_requests()) {
+bool handle_requests(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder) {
+  const auto requests = editor.take_requests();
+  for (const Request request : requests) {
     switch (request) {
       case Request::open_dialog: ask_what_to_open(editor, state); break;
       case Request::save_dialog: ask_where_to_save(editor, state); break;
@@ -107,6 +108,7 @@ void handle_requests(Editor& editor, UiState& state, const std::filesystem::path
       case Request::quit: state.wants_to_quit = true; break;
     }
   }
+  return !requests.empty();
 }
 
 }  // namespace foldless

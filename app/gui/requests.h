@@ -10,8 +10,8 @@
 namespace foldless {
 
 /// Opens the dialogs that the editor asked for; F12's picture goes beside the scene, or to
-/// `pictures_folder` when the scene has no file.
-void handle_requests(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder);
+/// `pictures_folder` when the scene has no file. Returns whether there was anything to do.
+bool handle_requests(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder);
 
 /// The folder where the user was last: of the last dialog, of the document, or the present one.
 std::filesystem::path starting_folder(const Editor& editor, const UiState& state);

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <climits>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/data_path.h"
 #include "core/error.h"
@@ -12,13 +15,29 @@
 namespace foldless {
 namespace {
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// `figure8_eta_1_percent` → `Figure 8: eta 1 percent`.
 std::string title_of(const std::filesystem::path& file) {
   std::string title = file.stem().string();
-  std::ranges::replace(title, '-', ' ');
   std::ranges::replace(title, '_', ' ');
-  if (!title.empty())
-    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
+  if (title.empty()) return title;
+  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  if (!title.starts_with("Figure") || title.size() < 7 || !is_digit(title[6])) return title;
+  const auto space = std::min(title.find(' '), title.size());
+  std::string figure = "Figure ";
+  figure.append(title, 6, space - 6);
+  if (space == title.size()) return figure;
+  figure.append(":").append(title, space);
+  return figure;
+}
+
+/// Figures by number, then everything else by title.
+bool comes_before(const Sample& a, const Sample& b) {
+  const auto figure = [](const Sample& sample) {
+    return sample.title.starts_with("Figure ") ? std::atoi(sample.title.c_str() + 7) : INT_MAX;
+  };
+  return std::pair(figure(a), a.title) < std::pair(figure(b), b.title);
 }
 
 std::string description_of(const std::filesystem::path& file) {
@@ -42,7 +61,7 @@ std::vector<Sample> find_samples() {
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".json")
       samples.push_back({entry.path(), title_of(entry.path()), description_of(entry.path())});
-  std::ranges::sort(samples, {}, &Sample::title);
+  std::ranges::sort(samples, comes_before);
   return samples;
 }
 

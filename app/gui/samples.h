@@ -10,11 +10,11 @@ namespace foldless {
 /// A scene that comes with the program.
 struct Sample {
   std::filesystem::path path;
-  std::string title;        ///< from the file's name: `Swirl 180`
+  std::string title;        ///< from the file's name: `Figure 8: eta 1 percent`
   std::string description;  ///< one line on what to look at; may be empty
 };
 
-/// The scenes in the program's data, by title; none when the data is missing.
+/// The scenes in the program's data, figures first; none when the data is missing.
 std::vector<Sample> find_samples();
 
 /// The scene that the program opens on when it is given none.

@@ -27,6 +27,13 @@ namespace {
 constexpr int kSettlingFrames = 3;
 constexpr double kTextCursorSeconds = 0.4;
 
+/// What the editor shows without being asked to by an event.
+struct News {
+  bool asks = false;       ///< about unsaved changes
+  std::size_t toasts = 0;  ///< messages on screen
+  bool operator==(const News&) const = default;
+};
+
 /// Makes the context before, and destroys it after, whatever uses it.
 struct ImGuiOwner {
   ImGuiOwner() { ImGui::CreateContext(); }
@@ -61,6 +68,7 @@ struct Ui::Parts {
   std::string clipboard;          ///< keeps the text alive that ImGui was given
   double time = 0;
   int settling = kSettlingFrames;
+  News news;                   ///< of the last frame
   bool scale_changed = false;  ///< the canvas shrank or grew under the drawing
 
   std::filesystem::path settings_file() const { return options.state_folder / "settings.json"; }
@@ -173,7 +181,9 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   route(editor, events, spec.time);
   editor.view().theme = p.state.settings.theme;
   editor.update(spec.time);
-  handle_requests(editor, p.state, p.options.pictures_folder);
+  const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
+  const News news{editor.question() != nullptr, editor.toasts().size()};
+  if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order()) p.carry_out(*job, editor);
   draw_scene(editor, spec);
   draw_panels(editor);

@@ -163,6 +163,14 @@ TEST_F(WholeEditor, AsksBeforeUnsavedChangesAreLost) {
   EXPECT_EQ(editor().document().handles.size(), 2U);
 }
 
+TEST_F(WholeEditor, ShowsTheQuestionThoughNoEventFollowsTheCloseButton) {
+  place_two_handles();
+  const Image before = headless_.picture();
+  editor().close();
+  headless_.settle();
+  EXPECT_GT(differing_pixels(before, headless_.picture()), 10000);
+}
+
 TEST_F(WholeEditor, WritesNumberedPicturesOfTheCanvas) {
   place_two_handles();
   save_by_keyboard(folder_ / "shot.json");
