@@ -20,7 +20,7 @@ std::string glfw_reason() {
   return reason ? std::string(": ") + reason + "." : ".";
 }
 
-GLFWwindow* make_window(const std::string& title, Extent size) {
+void set_context_hints() {
   glfwDefaultWindowHints();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -29,11 +29,34 @@ GLFWwindow* make_window(const std::string& title, Extent size) {
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "foldless");
+}
+
+/// The functions of GL for the window's context. Ends GLFW and throws Error when they are missing.
+void load_gl(GLFWwindow* window) {
+  glfwMakeContextCurrent(window);
+  if (gladLoadGL(glfwGetProcAddress) != 0) return;
+  glfwTerminate();
+  throw Error("The functions of OpenGL 3.3 cannot be loaded.");
+}
+
+/// True when the processor draws: four samples a pixel would make every frame several times slower.
+bool is_drawn_by_processor() {
+  const auto* words = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = words ? words : "";
+  return renderer.find("llvmpipe") != std::string::npos ||
+         renderer.find("softpipe") != std::string::npos;
+}
+
+/// A window with its context current and its functions loaded, or null.
+GLFWwindow* make_window(const std::string& title, Extent size) {
+  set_context_hints();
   for (const int samples : {4, 2, 0}) {
     glfwWindowHint(GLFW_SAMPLES, samples);
-    if (GLFWwindow* window =
-            glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr))
-      return window;
+    GLFWwindow* window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
+    if (!window) continue;
+    load_gl(window);
+    if (samples == 0 || !is_drawn_by_processor()) return window;
+    glfwDestroyWindow(window);
   }
   return nullptr;
 }
@@ -52,11 +75,6 @@ Window::Window(const std::string& title, Extent size) : title_(title) {
     const std::string reason = glfw_reason();
     glfwTerminate();
     throw Error("No window with OpenGL 3.3 can be opened" + reason);
-  }
-  glfwMakeContextCurrent(window_);
-  if (gladLoadGL(glfwGetProcAddress) == 0) {
-    glfwTerminate();
-    throw Error("The functions of OpenGL 3.3 cannot be loaded.");
   }
   glfwSwapInterval(1);
   glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);

@@ -20,7 +20,8 @@ bool has_display();
 /// that made it may use it, but wake() is for any thread.
 class Window {
  public:
-  /// Size in window coordinates. Asks for 4 samples a pixel and takes fewer when they are refused.
+  /// Size in window coordinates. Asks for 4 samples a pixel; takes fewer when they are
+  /// refused, and none when there is no graphics card.
   /// Throws Error when there is no display or no OpenGL 3.3.
   Window(const std::string& title, Extent size);
   ~Window();
