@@ -28,6 +28,7 @@ void set_context_hints() {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "foldless");
 }
 
@@ -47,7 +48,7 @@ bool is_drawn_by_processor() {
          renderer.find("softpipe") != std::string::npos;
 }
 
-/// A window with its context current and its functions loaded, or null.
+/// A hidden window with its context current and its functions loaded, or null.
 GLFWwindow* make_window(const std::string& title, Extent size) {
   set_context_hints();
   for (const int samples : {4, 2, 0}) {
@@ -80,6 +81,7 @@ Window::Window(const std::string& title, Extent size) : title_(title) {
   glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
   make_cursors();
   send_events_to(window_, events_);
+  glfwShowWindow(window_);
 }
 
 Window::~Window() {
