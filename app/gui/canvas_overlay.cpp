@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/canvas_overlay.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -105,6 +106,21 @@ void draw_sample_buttons(Editor& editor, const PanelContext& context) {
   ImGui::EndTable();
 }
 
+/// What to look at or to try, in the words of the scene, over the top of the canvas.
+void draw_description(const std::string& words, const CanvasBrush& brush, const Look& look) {
+  if (words.empty()) return;
+  const float margin = look.px(14);
+  const float width = std::min(brush.canvas.width - 2 * margin, look.px(560));
+  ImFont* font = look.fonts.small;
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, width, words.c_str(), nullptr);
+  const ImVec2 corner{brush.canvas.x + (brush.canvas.width - size.x) / 2, brush.canvas.y + margin};
+  brush.list.AddRectFilled({corner.x - look.px(10), corner.y - look.px(5)},
+                           {corner.x + size.x + look.px(10), corner.y + size.y + look.px(5)},
+                           packed(look.palette->popup, 0.85F), look.px(6));
+  brush.list.AddText(font, font->FontSize, corner, packed(look.palette->text), words.c_str(),
+                     nullptr, width);
+}
+
 /// The empty screen: nothing is open, everything is one click away.
 void draw_invitation(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
@@ -140,6 +156,8 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   list.PushClipRect({canvas.x, canvas.y}, {canvas.x + canvas.width, canvas.y + canvas.height});
   draw_heat_notes(editor, context, brush);
   if (editor.shown_view().layers.handles) draw_distances(editor, brush, context.look);
+  if (!editor.is_editing() && !editor.are_overlays_hidden())
+    draw_description(editor.document().description, brush, context.look);
   if (const auto band = editor.band()) draw_band(*band, brush, context.look);
   list.PopClipRect();
 }

@@ -12,6 +12,6 @@ struct Extent {
 };
 
 /// The pointer's shape.
-enum class CursorShape { arrow, text, hand, cross };
+enum class CursorShape { arrow, text, hand };
 
 }  // namespace foldless

@@ -39,7 +39,10 @@ void ask_what_to_open(Editor& editor, UiState& state) {
       "Open", {".json", ".obj", ".off", ".ply", ".png", ".jpg", ".jpeg", ".webp"}, editor, state);
   request.chosen = [&editor, &state](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
-    editor.open(path);
+    if (is_sample(path))
+      editor.open_sample(path);
+    else
+      editor.open(path);
   };
   state.browser.ask(std::move(request));
 }

@@ -40,6 +40,15 @@ bool comes_before(const Sample& a, const Sample& b) {
   return std::pair(figure(a), a.title) < std::pair(figure(b), b.title);
 }
 
+/// Empty when the program's data is missing.
+std::filesystem::path samples_folder() {
+  try {
+    return data_path("assets/scenes");
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 std::string description_of(const std::filesystem::path& file) {
   std::ifstream in(file);
   const auto json = nlohmann::json::parse(in, nullptr, false);
@@ -51,18 +60,17 @@ std::string description_of(const std::filesystem::path& file) {
 
 std::vector<Sample> find_samples() {
   std::vector<Sample> samples;
-  std::filesystem::path folder;
-  try {
-    folder = data_path("assets/scenes");
-  } catch (const Error&) {
-    return samples;
-  }
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+  for (const auto& entry : std::filesystem::directory_iterator(samples_folder(), ignored))
     if (entry.path().extension() == ".json")
       samples.push_back({entry.path(), title_of(entry.path()), description_of(entry.path())});
   std::ranges::sort(samples, comes_before);
   return samples;
+}
+
+bool is_sample(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(path.parent_path(), samples_folder(), ignored);
 }
 
 std::filesystem::path welcome_scene() { return data_path("assets/scenes/welcome.json"); }

@@ -17,6 +17,9 @@ struct Sample {
 /// The scenes in the program's data, figures first; none when the data is missing.
 std::vector<Sample> find_samples();
 
+/// True for a scene that comes with the program: it is opened as a copy.
+bool is_sample(const std::filesystem::path& path);
+
 /// The scene that the program opens on when it is given none.
 std::filesystem::path welcome_scene();
 

@@ -4,15 +4,13 @@
 #include <imgui.h>
 
 #include <array>
-#include <string_view>
 
 namespace foldless {
 
 /// The colours of the panels in one theme, sRGB. The canvas has its own, see view_options.h.
 struct Palette {
-  std::string_view name;  ///< word in the settings
-  ImVec4 window;          ///< side panels
-  ImVec4 bar;             ///< menu bar, status bar
+  ImVec4 window;  ///< side panels
+  ImVec4 bar;     ///< menu bar, status bar
   ImVec4 popup;
   ImVec4 border;
   ImVec4 text;

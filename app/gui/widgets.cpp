@@ -56,7 +56,6 @@ void draw_icon(const IconBrush& b, Icon icon) {
       b.left_triangle(0.26F, 0.88F);
       break;
     case Icon::back: b.left_triangle(0.14F, 0.8F); break;
-    case Icon::forward: b.right_triangle(0.2F, 0.86F); break;
     case Icon::last:
       b.right_triangle(0.12F, 0.74F);
       b.bar(0.76F, 0.9F);

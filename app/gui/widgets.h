@@ -11,7 +11,7 @@
 namespace foldless {
 
 /// Pictures drawn with lines, so that they need no icon font and are sharp at every scale.
-enum class Icon { play, pause, step, stop, first, back, forward, last, up, reset };
+enum class Icon { play, pause, step, stop, first, back, last, up, reset };
 
 /// A square button with a picture; `tip` is its tooltip. `main` fills it with the accent colour.
 bool icon_button(const char* id, Icon icon, const std::string& tip, const Look& look,

@@ -91,8 +91,7 @@ Window::~Window() {
 }
 
 void Window::make_cursors() {
-  for (const int shape :
-       {GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HAND_CURSOR, GLFW_CROSSHAIR_CURSOR})
+  for (const int shape : {GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HAND_CURSOR})
     cursors_.push_back(glfwCreateStandardCursor(shape));
 }
 

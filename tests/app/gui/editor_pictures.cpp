@@ -70,7 +70,7 @@ void draw_all(const std::filesystem::path& folder) {
     save_png(folder / name, headless.picture());
   };
   shoot("empty.png");
-  headless.editor().open(welcome_scene());
+  headless.editor().open_sample(welcome_scene());
   headless.settle();
   headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
   shoot("start.png");
@@ -103,7 +103,7 @@ void draw_hidpi(const std::filesystem::path& folder) {
   HeadlessEditor headless({2560, 1600});
   headless.set_content_scale(2);
   headless.settle();
-  headless.editor().open(welcome_scene());
+  headless.editor().open_sample(welcome_scene());
   headless.settle();
   headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
   headless.settle();

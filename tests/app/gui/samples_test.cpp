@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace foldless {
+namespace {
+
+TEST(FindSamples, NamesFiguresByTheirNumberAndSaysWhatToLookAt) {
+  const auto samples = find_samples();
+  const auto found = std::ranges::find(samples, "Figure 5: coarse disk", &Sample::title);
+  ASSERT_NE(found, samples.end());
+  EXPECT_FALSE(found->description.empty());
+}
+
+TEST(FindSamples, CountsFigure10After9) {
+  const auto samples = find_samples();
+  const auto place = [&samples](std::string_view beginning) {
+    return std::ranges::find_if(
+        samples, [beginning](const Sample& sample) { return sample.title.starts_with(beginning); });
+  };
+  ASSERT_NE(place("Figure 10"), samples.end());
+  EXPECT_LT(place("Figure 9"), place("Figure 10"));
+}
+
+TEST(WelcomeScene, IsOneOfTheSamples) { EXPECT_TRUE(is_sample(welcome_scene())); }
+
+TEST(IsSample, LeavesTheUsersOwnFilesAlone) { EXPECT_FALSE(is_sample("/tmp/scene.json")); }
+
+}  // namespace
+}  // namespace foldless
