@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -90,6 +91,7 @@ class RealWindow : public testing::Test {
     folder_ = name;
     start_display();
     setenv("XDG_STATE_HOME", folder_.c_str(), 1);
+    setenv("FOLDLESS_FRAME_LOG", (folder_ / "frames.csv").c_str(), 1);
     scene_ = folder_ / "bar.json";
     write_scene();
   }
@@ -139,7 +141,24 @@ class RealWindow : public testing::Test {
       return !window_.empty();
     })) << "no window appeared";
     tool("mousemove --window " + window_ + " 500 60");
-    std::this_thread::sleep_for(1s);
+    ASSERT_TRUE(comes_to_rest());
+  }
+
+  /// The lines of the frame log: one a frame, and its heading.
+  std::ptrdiff_t logged_frames() const {
+    std::ifstream log(folder_ / "frames.csv");
+    return std::count(std::istreambuf_iterator<char>(log), {}, '\n');
+  }
+  /// Waits until the program draws no more: nothing moves and nothing is solved.
+  bool comes_to_rest() const {
+    std::ptrdiff_t before = 0;
+    int quiet = 0;
+    return wait_for([&] {
+      const std::ptrdiff_t now = logged_frames();
+      quiet = now == before && now > 1 ? quiet + 1 : 0;
+      before = now;
+      return quiet >= 20;
+    });
   }
 
   void tool(const std::string& words) {
@@ -166,7 +185,7 @@ TEST_F(RealWindow, MouseDragBendsTheMeshAndSavingKeepsIt) {
   ASSERT_NO_FATAL_FAILURE(start_program());
   const auto written = std::filesystem::last_write_time(scene_);
   ASSERT_NO_FATAL_FAILURE(drag(640, 400, 40, 120));
-  std::this_thread::sleep_for(2s);
+  ASSERT_TRUE(comes_to_rest());
   ASSERT_NO_FATAL_FAILURE(tool("key --clearmodifiers ctrl+s"));
   ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }, 20s))
       << "Ctrl+S saved nothing";
