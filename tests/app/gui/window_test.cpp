@@ -91,6 +91,9 @@ class RealWindow : public testing::Test {
     folder_ = name;
     start_display();
     setenv("XDG_STATE_HOME", folder_.c_str(), 1);
+    // The X server's OpenGL driver is unloaded before leaks are looked for, so its own can neither
+    // be named nor suppressed. The same interface is searched for leaks off screen.
+    setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
     setenv("FOLDLESS_FRAME_LOG", (folder_ / "frames.csv").c_str(), 1);
     scene_ = folder_ / "bar.json";
     write_scene();
