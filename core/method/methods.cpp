@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/method/lim.h"
 #include "core/method/remeshing_assisted.h"
 
 namespace foldless {
@@ -14,10 +15,16 @@ std::unique_ptr<Method> start_remeshing_assisted(Problem problem) {
   return std::make_unique<RemeshingAssisted>(std::move(problem), Remeshing{.flips = kFlips});
 }
 
+template <typename Kind>
+std::unique_ptr<Method> start(Problem problem) {
+  return std::make_unique<Kind>(std::move(problem));
+}
+
 constexpr std::array kMethods{
     MethodRow{"paper-flip", "Remeshing-assisted, flips", "JHT14", start_remeshing_assisted<true>},
     MethodRow{"paper-noflip", "Remeshing-assisted, no flips", "JHT14",
               start_remeshing_assisted<false>},
+    MethodRow{"lim", "Locally injective mappings", "SKPSH13", start<Lim>},
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/remeshing_assisted.h"
 
-#include "core/mesh/quality.h"
+#include "core/method/record.h"
 #include "core/method/satisfied.h"
 #include "core/solve/relax_vertices.h"
 
@@ -155,26 +155,10 @@ int RemeshingAssisted::flip() {
 }
 
 Iteration RemeshingAssisted::record(const VertexUpdate& update, Phase phase) {
-  const EnergyTerms terms = system_.objective().value(mesh_.deformed(), positions_);
-  const Quality quality = quality_of(mesh_.triangles(), mesh_.rest(), mesh_.deformed());
-  Iteration iteration;
+  Iteration iteration = record_of(update, system_, mesh_, positions_);
   iteration.outer = outer_;
   iteration.inner = inner_;
   iteration.phase = phase;
-  iteration.distortion_energy = terms.distortion;
-  iteration.penalty_energy = terms.penalty;
-  iteration.barrier_energy = terms.barrier;
-  iteration.energy = terms.total();
-  iteration.gradient_norm_squared = system_.gradient().squaredNorm();
-  iteration.handle_error_squared = handle_error_squared(positions_, mesh_.deformed());
-  iteration.step_infinity_norm = update.step_infinity_norm;
-  iteration.mu = update.mu;
-  iteration.step_length = update.step_length;
-  iteration.min_area_ratio = quality.min_area_ratio;
-  iteration.max_conformal_distortion = quality.max_conformal_distortion;
-  iteration.mean_conformal_distortion = quality.mean_conformal_distortion;
-  iteration.factorizations = system_.counters.factorizations;
-  iteration.updates = system_.counters.updates;
   iteration.flips = flips_;
   return iteration;
 }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/record.h"
+
+#include "core/mesh/quality.h"
+
+namespace foldless {
+
+Iteration record_of(const VertexUpdate& update, const NewtonSystem& system, const MeshPair& mesh,
+                    const Positions& positions) {
+  const EnergyTerms terms = system.objective().value(mesh.deformed(), positions);
+  const Quality quality = quality_of(mesh.triangles(), mesh.rest(), mesh.deformed());
+  Iteration iteration;
+  iteration.distortion_energy = terms.distortion;
+  iteration.penalty_energy = terms.penalty;
+  iteration.barrier_energy = terms.barrier;
+  iteration.energy = terms.total();
+  iteration.gradient_norm_squared = system.gradient().squaredNorm();
+  iteration.handle_error_squared = handle_error_squared(positions, mesh.deformed());
+  iteration.step_infinity_norm = update.step_infinity_norm;
+  iteration.mu = update.mu;
+  iteration.step_length = update.step_length;
+  iteration.min_area_ratio = quality.min_area_ratio;
+  iteration.max_conformal_distortion = quality.max_conformal_distortion;
+  iteration.mean_conformal_distortion = quality.mean_conformal_distortion;
+  iteration.factorizations = system.counters.factorizations;
+  iteration.updates = system.counters.updates;
+  return iteration;
+}
+
+}  // namespace foldless
