@@ -71,7 +71,7 @@ std::string sample() {
 
 /// The options of one call as text, until they are read.
 struct Texts {
-  std::string frames, size, view, layers;
+  std::string frames, size, view, layers, methods, only;
   std::array<std::string, kNumberOptions.size()> numbers;
 };
 
@@ -132,6 +132,29 @@ void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
   if (is_transparent) call.figure.style.background = Background::transparent;
 }
 
+void read_bench(const Texts& texts, BenchCall& call) {
+  if (!call.suite.empty() && call.suite != "random")
+    throw Error("--suite " + in_quotes(call.suite) + " is unknown; choose random");
+  if (call.suite.empty() == call.scenes.empty())
+    throw Error("bench takes either scene files or --suite random");
+  for (const std::string& name : CLI::detail::split(texts.methods, ','))
+    if (!name.empty()) {
+      expect_name("--method", name, methods());
+      call.methods.push_back(name);
+    }
+  for (const std::string& index : CLI::detail::split(texts.only, ',')) {
+    if (index.empty()) continue;
+    const auto number = parse_integer(index);
+    if (!number || *number < 0)
+      throw Error("--only takes indices of scenes, from 0, not " + in_quotes(index));
+    call.only.push_back(*number);
+  }
+  if (call.count < 1) throw Error("--count takes a number of 1 or more");
+  if (call.options.threads < 1) throw Error("--jobs takes a number of 1 or more");
+  if (call.options.repeat < 1) throw Error("--repeat takes a number of 1 or more");
+  if (!(call.options.time_limit > 0)) throw Error("--time-limit takes a number above 0");
+}
+
 CLI::App* add_solve(CLI::App& app, SolveCall& call, Texts& texts) {
   CLI::App* solve = app.add_subcommand("solve", "run the solver on a scene, without a window");
   solve->add_option("SCENE", call.scene, "scene file (JSON)")->required();
@@ -182,6 +205,33 @@ CLI::App* add_check(CLI::App& app, CheckCall& call) {
   return check;
 }
 
+CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
+  CLI::App* bench = app.add_subcommand("bench", "run methods side by side over many scenes");
+  bench->add_option("SCENE", call.scenes, "scene files, where no suite is named");
+  bench->add_option("--suite", call.suite, "random: scenes drawn from a seed")->type_name("NAME");
+  bench
+      ->add_option("--method", texts.methods,
+                   "comma-separated, all when absent: " + names_of(methods()))
+      ->type_name("LIST");
+  bench->add_option("--seed", call.seed, "of the random suite, 1 when absent")->type_name("S");
+  bench->add_option("--count", call.count, "scenes of the random suite, 60 when absent")
+      ->type_name("N");
+  bench->add_option("--only", texts.only, "comma-separated indices of scenes, from 0")
+      ->type_name("LIST");
+  bench->add_option("--jobs", call.options.threads, "runs at a time, 1 when absent")
+      ->type_name("N");
+  bench->add_option("--repeat", call.options.repeat, "runs of which the median time counts")
+      ->type_name("N");
+  bench
+      ->add_option("--time-limit", call.options.time_limit,
+                   "processor seconds of a run, 60 when absent")
+      ->type_name("SECONDS");
+  bench->add_option("-o,--output", call.folder, "folder for results.csv, summary.md, results.json")
+      ->type_name("DIR");
+  bench->add_option("--keep", call.keep, "folder for the scenes as files")->type_name("DIR");
+  return bench;
+}
+
 /// Every help ends with an example that can be pasted.
 void add_examples(CLI::App& app, const std::string& program) {
   const std::string solved = program + " solve " + sample() + " -o coarse_disk";
@@ -189,6 +239,8 @@ void add_examples(CLI::App& app, const std::string& program) {
   app.get_subcommand("solve")->footer("Example:\n  " + solved + " --frames all --render");
   app.get_subcommand("render")->footer("Example:\n  " + program + " render " + sample() +
                                        " -o coarse_disk.png --view both");
+  app.get_subcommand("bench")->footer("Example:\n  " + program +
+                                      " bench --suite random --seed 1 --count 30 --jobs 2");
   app.get_subcommand("check")->footer("Example:\n  " + solved + " && " + program +
                                       " check coarse_disk/rest.obj coarse_disk/deformed.obj");
 }
@@ -203,6 +255,7 @@ Call parse_arguments(int argc, const char* const* argv) {
   SolveCall solve_call;
   RenderCall render_call;
   CheckCall check_call;
+  BenchCall bench_call;
   Texts texts;
   bool is_transparent = false;
   app.add_option("FILE", editor.file,
@@ -210,6 +263,7 @@ Call parse_arguments(int argc, const char* const* argv) {
   const CLI::App* solve = add_solve(app, solve_call, texts);
   const CLI::App* render = add_render(app, render_call, texts, is_transparent);
   const CLI::App* check = add_check(app, check_call);
+  const CLI::App* bench = add_bench(app, bench_call, texts);
   add_examples(app, program);
   try {
     app.parse(argc, argv);
@@ -229,6 +283,10 @@ Call parse_arguments(int argc, const char* const* argv) {
     return render_call;
   }
   if (check->parsed()) return check_call;
+  if (bench->parsed()) {
+    read_bench(texts, bench_call);
+    return bench_call;
+  }
   return editor;
 }
 

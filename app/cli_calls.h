@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "app/bench/bench_pool.h"
 #include "render/figure.h"
 
 namespace foldless {
@@ -51,12 +53,25 @@ struct CheckCall {
   std::optional<std::filesystem::path> scene;
 };
 
+/// `foldless bench [SCENE...]`
+struct BenchCall {
+  std::string suite;                          ///< `random`; empty: `scenes`
+  std::vector<std::filesystem::path> scenes;  ///< scene files
+  std::vector<std::string> methods;           ///< empty: all
+  std::uint64_t seed = 1;                     ///< of the random suite
+  int count = 60;                             ///< scenes of the random suite
+  std::vector<int> only;                      ///< indices of scenes, from 0; empty: all
+  BenchOptions options;
+  std::optional<std::filesystem::path> folder;  ///< for tables
+  std::optional<std::filesystem::path> keep;    ///< for the scenes as files
+};
+
 /// Text to print and nothing else to do: help or version.
 struct TextCall {
   std::string text;
 };
 
-using Call = std::variant<EditorCall, SolveCall, RenderCall, CheckCall, TextCall>;
+using Call = std::variant<EditorCall, SolveCall, RenderCall, CheckCall, BenchCall, TextCall>;
 
 /// What the arguments ask for. Throws Error on arguments that make no call.
 Call parse_arguments(int argc, const char* const* argv);
@@ -65,5 +80,6 @@ Call parse_arguments(int argc, const char* const* argv);
 int solve(const SolveCall& call);
 int render(const RenderCall& call);
 int check(const CheckCall& call);
+int bench(const BenchCall& call);
 
 }  // namespace foldless

@@ -75,7 +75,8 @@ set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|view_options)\\.h|app/editor
 may_include("app/editor/.*" "${EDITOR}")
 may_include("app/export/.*" "${BASE}|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
 may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|<(glad/gl|imgui.*|GLFW/glfw3)\\.h>")
-may_include("app/cli[^/]*" "${BASE}|<CLI/CLI\\.hpp>|core/.*|render/.*|app/export/.*|app/cli.*")
+may_include("app/bench/.*" "${BASE}|core/.*|app/(bench|export)/.*")
+may_include("app/cli[^/]*" "${BASE}|<CLI/CLI\\.hpp>|core/.*|render/.*|app/(bench|export)/.*|app/cli.*")
 
 # 1. Libraries that one place alone sees.
 only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
@@ -96,9 +97,9 @@ list(LENGTH cli11_files count)
 if(count GREATER 1)
   violation("${cli11_files}" "CLI11 belongs to one file")
 endif()
-only_in("(core/run|app/export)/.*"
+only_in("(core/run|app/(bench|export))/.*"
         "std::j?thread([^a-z_:]|$)|std::async|pthread_create|#pragma omp"
-        "only core/run and app/export start threads")
+        "only core/run, app/bench and app/export start threads")
 
 # 3. Doubles and Eigen meet floats and GLM in two files of the renderer.
 only_in("core/.*|app/.*|render/(mesh|marker)_layer\\.(h|cpp)" "<Eigen/"

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/bench_run.h"
+
+#include <exception>
+
+#include "core/energy/positions.h"
+#include "core/mesh/injective.h"
+#include "core/mesh/quality.h"
+#include "core/method/satisfied.h"
+#include "core/run/run.h"
+#include "core/solve/stage_times.h"
+
+namespace foldless {
+namespace {
+
+Problem problem_of(const BenchJob& job) {
+  const Scene& scene = job.scene->scene;
+  Problem problem{.mesh = scene.state ? MeshPair(scene.state->triangles, scene.state->rest,
+                                                 scene.state->deformed)
+                                      : MeshPair(scene.triangles, scene.rest),
+                  .energy = scene.energy,
+                  .handles = scene.handles,
+                  .parameters = job.parameters};
+  problem.original = OriginalMesh{std::make_shared<const Triangles>(scene.triangles),
+                                  static_cast<int>(scene.rest.cols())};
+  return problem;
+}
+
+double distortion_energy(const Density& energy, const Snapshot& state) {
+  double sum = 0;
+  for (const auto t : state.triangles->colwise())
+    sum += signed_area(*state.rest, t) *
+           energy.value(deformation_gradient(*state.rest, state.deformed, t));
+  return sum;
+}
+
+void measure(const Density& energy, const Snapshot& state, BenchRow& row) {
+  row.is_valid = is_injective(*state.triangles, *state.rest, state.deformed);
+  row.handle_error_squared = handle_error_squared(positions_of(state.handles), state.deformed);
+  row.distortion_energy = distortion_energy(energy, state);
+  if (!row.is_valid) return;
+  const Quality quality = quality_of(*state.triangles, *state.rest, state.deformed);
+  row.max_conformal_distortion = quality.max_conformal_distortion;
+  row.mean_conformal_distortion = quality.mean_conformal_distortion;
+}
+
+void run_to_its_end(const BenchJob& job, std::stop_token token, BenchRow& row) {
+  const Problem problem = problem_of(job);
+  const double start = thread_seconds();
+  Run run(problem);
+  while (const auto record = run.step(token)) row.iterations.push_back(*record);
+  row.seconds = thread_seconds() - start;
+  row.outcome = name_of(run.outcome().value_or(Outcome::cancelled));
+  row.is_satisfied = run.is_satisfied();
+  if (!row.iterations.empty()) row.last = row.iterations.back();
+  measure(*problem.energy, *run.snapshot(), row);
+}
+
+}  // namespace
+
+BenchRow run_job(const BenchJob& job, std::stop_token token) {
+  const Scene& scene = job.scene->scene;
+  BenchRow row;
+  row.scene = job.scene->name;
+  row.difficulty = job.scene->difficulty;
+  row.energy = scene.energy->name;
+  row.method = job.parameters.method;
+  row.parameters = job.parameters;
+  row.vertices = static_cast<int>(scene.rest.cols());
+  row.faces = static_cast<int>(scene.triangles.cols());
+  row.diagonal = bounding_box_diagonal(scene.rest);
+  try {
+    run_to_its_end(job, token, row);
+  } catch (const std::exception& error) {
+    row.outcome = "refused";
+    row.note = error.what();
+  }
+  return row;
+}
+
+}  // namespace foldless

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "app/bench/bench_scene.h"
+#include "core/iteration.h"
+
+namespace foldless {
+
+/// One run of a suite: a scene with parameters of its own, the method among them.
+struct BenchJob {
+  const BenchScene* scene;  ///< outlives the job
+  Parameters parameters;
+};
+
+/// What one run came to. Lengths and areas in units of the scene.
+struct BenchRow {
+  std::string scene, difficulty, energy, method;
+  Parameters parameters;
+  int vertices = 0;  ///< of the scene's mesh
+  int faces = 0;
+  bool is_satisfied = false;     ///< every handle is at its target: ‖P‖² ≤ 1e-10 D²
+  bool is_valid = false;         ///< rest and deformed mesh are proved locally injective, exactly
+  std::string outcome;           ///< a word of report.json, `time-limit`, or `refused`
+  std::string note;              ///< why the method refused the scene; else empty
+  Iteration last;                ///< counters, eq. 7 and 8 of the last record
+  double seconds = 0;            ///< processor time of the run's thread
+  double distortion_energy = 0;  ///< E_d of the last state
+  double handle_error_squared = 0;  ///< ‖P‖² of the last state
+  double diagonal = 1;              ///< D of the rest mesh
+  double max_conformal_distortion = 1;
+  double mean_conformal_distortion = 1;
+  std::vector<Iteration> iterations;  ///< every record
+
+  bool has_reached() const { return is_satisfied && is_valid && outcome != "time-limit"; }
+  double relative_handle_error() const { return handle_error_squared / (diagonal * diagonal); }
+};
+
+/// Runs a method on a scene on the calling thread, to its end or until the token is set, when the
+/// outcome is `cancelled`. A method that cannot take the scene, or fails, makes a row that says so.
+BenchRow run_job(const BenchJob& job, std::stop_token token);
+
+}  // namespace foldless

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "app/bench/bench_pool.h"
+#include "app/bench/bench_report.h"
+#include "app/bench/random_suite.h"
+#include "app/cli.h"
+#include "app/cli_calls.h"
+#include "app/cli_interrupt.h"
+#include "app/cli_problem.h"
+#include "core/atomic_file.h"
+#include "core/method/methods.h"
+
+namespace foldless {
+namespace {
+
+bool is_wanted(const BenchCall& call, int index) {
+  return call.only.empty() || std::ranges::find(call.only, index) != call.only.end();
+}
+
+std::vector<BenchScene> scenes_of(const BenchCall& call) {
+  std::vector<BenchScene> scenes;
+  for (int i = 0; call.suite == "random" && i < call.count; ++i)
+    if (is_wanted(call, i)) scenes.push_back(random_scene(call.seed, i));
+  for (std::size_t i = 0; i < call.scenes.size(); ++i) {
+    if (!is_wanted(call, static_cast<int>(i))) continue;
+    LoadedScene loaded = load_scene_file(call.scenes[i]);
+    print_notices(loaded.notices);
+    scenes.push_back({call.scenes[i].stem().string(), "", std::move(loaded.scene)});
+  }
+  return scenes;
+}
+
+/// The methods that were asked for, or all of the program.
+std::vector<std::string> methods_of(const BenchCall& call) {
+  if (!call.methods.empty()) return call.methods;
+  std::vector<std::string> names;
+  for (const MethodRow& row : methods()) names.emplace_back(row.name);
+  return names;
+}
+
+std::vector<BenchJob> jobs_of(const BenchCall& call, const std::vector<BenchScene>& scenes) {
+  std::vector<BenchJob> jobs;
+  for (const BenchScene& scene : scenes)
+    for (const std::string& method : methods_of(call)) {
+      jobs.push_back({&scene, scene.scene.parameters});
+      jobs.back().parameters.method = method;
+    }
+  return jobs;
+}
+
+void keep_scenes(const std::filesystem::path& folder, const std::vector<BenchScene>& scenes) {
+  std::filesystem::create_directories(folder);
+  for (const BenchScene& scene : scenes) save_scene(scene.scene, folder / (scene.name + ".json"));
+}
+
+/// One line on stderr that is written over, where a person looks on.
+class Progress {
+ public:
+  explicit Progress(std::size_t total) : total_(total), is_shown_(isatty(STDERR_FILENO) == 1) {}
+  ~Progress() {
+    if (is_shown_) std::cerr << "\r\033[K" << std::flush;
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(const BenchRow& row) {
+    ++done_;
+    if (!is_shown_) return;
+    std::cerr << "\r\033[K" << done_ << "/" << total_ << " " << row.scene << " " << row.method
+              << (row.has_reached() ? ": reached, " : ": not reached, ") << number_text(row.seconds)
+              << " s" << std::flush;
+  }
+
+ private:
+  std::size_t total_;
+  std::size_t done_ = 0;
+  bool is_shown_;
+};
+
+/// Why a run was refused, once each.
+std::string notes_of(const std::vector<BenchRow>& rows) {
+  std::string text;
+  for (const BenchRow& row : rows) {
+    if (row.note.empty()) continue;
+    const std::string line = row.method + ": " + row.note + '\n';
+    if (text.find(line) == std::string::npos) text += line;
+  }
+  return text;
+}
+
+void write_files(const std::filesystem::path& folder, const std::vector<BenchRow>& rows) {
+  std::filesystem::create_directories(folder);
+  write_file_atomically(folder / "results.csv", rows_csv_table(rows).csv());
+  write_file_atomically(folder / "results.json", json_text(rows_node(rows)));
+  std::string summary = "## Summary\n\n" + summary_table(summaries_of(rows)).markdown();
+  if (const TextTable table = difficulty_table(rows); !table.is_empty())
+    summary += "\n## Reached by difficulty\n\n" + table.markdown();
+  summary += "\n## Runs\n\n" + rows_table(rows).markdown();
+  write_file_atomically(folder / "summary.md", summary);
+}
+
+void print(const std::vector<BenchRow>& rows) {
+  std::cout << rows_table(rows).plain() << '\n';
+  if (const TextTable table = difficulty_table(rows); !table.is_empty())
+    std::cout << table.plain() << '\n';
+  std::cout << summary_table(summaries_of(rows)).plain();
+  if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
+}
+
+}  // namespace
+
+int bench(const BenchCall& call) {
+  const std::vector<BenchScene> scenes = scenes_of(call);
+  if (call.keep) keep_scenes(*call.keep, scenes);
+  const std::vector<BenchJob> jobs = jobs_of(call, scenes);
+  const Interrupt interrupt;
+  std::vector<BenchRow> rows;
+  {
+    Progress progress(jobs.size());
+    rows = run_jobs(jobs, call.options,
+                    {.is_interrupted = [&] { return interrupt.is_requested(); },
+                     .finished = [&](const BenchRow& row) { progress.show(row); }});
+  }
+  print(rows);
+  if (call.folder) write_files(*call.folder, rows);
+  return interrupt.is_requested() ? kExitInterrupted : kExitDone;
+}
+
+}  // namespace foldless
