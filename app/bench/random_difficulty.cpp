@@ -106,7 +106,7 @@ bool draw_medium(RandomNumbers& random, RandomDeformation& deformation) {
 }
 
 bool draw_hard(RandomNumbers& random, RandomDeformation& deformation) {
-  return draw_free(random, deformation, {5, 0.45, 90, 200, 6, 12});
+  return draw_free(random, deformation, {6, 0.7, 120, 300, 8, 12});
 }
 
 /// An interior vertex, the one of most clearance among a few.
@@ -127,7 +127,7 @@ void add_inner_move(RandomNumbers& random, RandomDeformation& deformation) {
   const double room = 0.98 * mesh.clearance[static_cast<std::size_t>(v)];
   if (room <= 0) return;
   if (random.below(2) == 0) {
-    const double angle = random.sign() * random.between(30, 150) * kDegree;
+    const double angle = random.sign() * random.between(60, 240) * kDegree;
     deformation.map.moves.emplace_back(Twist{centre, room, room * random.between(0, 0.4), angle});
   } else {
     add_long_drag(deformation.map, {centre, room / 2, room / 2 * direction(random)});
@@ -141,7 +141,7 @@ void hold_boundary(RandomDeformation& deformation) {
 }
 
 bool draw_fixed_boundary(RandomNumbers& random, RandomDeformation& deformation) {
-  const int moves = random.integer(3, 8);
+  const int moves = random.integer(4, 12);
   for (int i = 0; i < moves; ++i) add_inner_move(random, deformation);
   hold_boundary(deformation);
   const std::size_t held = deformation.handles.size();
