@@ -19,7 +19,7 @@ constexpr int kScenes = 30;
 
 /// The area of the image of a tiny triangle at p over its own: about det ∇f.
 double local_area_ratio(const PlaneMap& map, const Vec2& p) {
-  constexpr double kSize = 1e-7;
+  constexpr double kSize = 1e-9;
   const Vec2 x = p + Vec2(kSize, 0);
   const Vec2 y = p + Vec2(0, kSize);
   return signed_area(map(p), map(x), map(y)) / signed_area(p, x, y);
