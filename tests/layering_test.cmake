@@ -5,7 +5,7 @@
 # Regular expressions for what a file may include. Quoted includes are paths from the project's
 # root; the others are listed with their angle bracket.
 set(STD "<[a-z_]+>")
-set(POSIX "<(fcntl|unistd|poll|spawn|signal|sys/[a-z]+)\\.h>")
+set(POSIX "<(fcntl|unistd|poll|pthread|spawn|signal|sys/[a-z]+)\\.h>")
 set(IMAGE_CODECS "<(png|turbojpeg|webp/[a-z_]+)\\.h>")
 set(CORE "core/(error|iteration|snapshot|atomic_file|data_path)\\.h")
 set(PLAIN "${STD}|${POSIX}")
