@@ -13,6 +13,15 @@ std::string_view name_of(Outcome outcome) {
   return "";
 }
 
-std::string_view name_of(Phase phase) { return phase == Phase::update ? "update" : "relax"; }
+std::string_view name_of(Phase phase) {
+  switch (phase) {
+    case Phase::update: return "update";
+    case Phase::relax: return "relax";
+    case Phase::approach: return "approach";
+    case Phase::transport: return "transport";
+    case Phase::settle: return "settle";
+  }
+  return "";
+}
 
 }  // namespace foldless

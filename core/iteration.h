@@ -5,8 +5,14 @@
 
 namespace foldless {
 
-/// Which subroutine of Algorithm 1 made a vertex update (sections 4.2 and 4.4).
-enum class Phase { update, relax };
+/// What made a vertex update.
+enum class Phase {
+  update,     ///< UpdateVertices of Algorithm 1 (4.2)
+  relax,      ///< RelaxVertices of Algorithm 1 (4.2)
+  approach,   ///< `foldless`: towards the targets under a growing penalty
+  transport,  ///< `foldless`: handles carried along paths, the map's distortion forgotten
+  settle      ///< `foldless`: at the targets, down to the minimum of the scene's energy
+};
 
 /// How a run ended.
 enum class Outcome {
@@ -18,7 +24,7 @@ enum class Outcome {
 
 /// `gradient`, `step`, `iteration-limit`, `cancelled`: the words of report.json.
 std::string_view name_of(Outcome outcome);
-/// `update` or `relax`: the words of iterations.csv.
+/// The words of iterations.csv: those of the enumeration.
 std::string_view name_of(Phase phase);
 
 /// The record of one vertex update: one row of iterations.csv. Lengths, areas and energies are

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/energy/element.h"
 
+#include <cmath>
 #include <limits>
 
 #include "core/energy/barrier.h"
+#include "core/energy/clamp.h"
 #include "core/energy/determinant.h"
 
 namespace foldless {
@@ -22,6 +24,10 @@ double distortion_weight(const EnergySettings& settings, const RestElement& rest
   return settings.area_weighted ? rest.area : 1;
 }
 
+double barrier_weight(const EnergySettings& settings, const RestElement& rest) {
+  return settings.barrier_area_weighted ? settings.beta * rest.area : settings.beta;
+}
+
 /// Value and derivatives of weight·ψ + β χ with respect to vec(J).
 DensityDerivatives weighted_derivatives(const EnergySettings& settings, const RestElement& rest,
                                         const Mat2& J, ElementEnergy& energy) {
@@ -31,12 +37,12 @@ DensityDerivatives weighted_derivatives(const EnergySettings& settings, const Re
   d.gradient *= weight;
   d.hessian *= weight;
   const BarrierDerivatives chi = barrier_derivatives(determinant(J), settings.delta);
-  energy.barrier = settings.beta * chi.value;
+  const double beta = barrier_weight(settings, rest);
+  energy.barrier = beta * chi.value;
   if (chi.value > 0) {
     const Eigen::Vector4d g = determinant_gradient(J);
-    d.gradient += settings.beta * chi.first * g;
-    d.hessian +=
-        settings.beta * (chi.second * g * g.transpose() + chi.first * determinant_hessian());
+    d.gradient += beta * chi.first * g;
+    d.hessian += beta * (chi.second * g * g.transpose() + chi.first * determinant_hessian());
   }
   return d;
 }
@@ -46,6 +52,16 @@ DensityDerivatives weighted_derivatives(const EnergySettings& settings, const Re
 RestElement rest_element(const Corners& rest) {
   const double area = signed_area(rest.col(0), rest.col(1), rest.col(2));
   return {area, hat_gradients(rest.col(0), rest.col(1), rest.col(2), area)};
+}
+
+RestElement rest_element(const EnergySettings& settings, const Corners& rest) {
+  if (settings.reference == Reference::rest) return rest_element(rest);
+  const double area = signed_area(rest.col(0), rest.col(1), rest.col(2));
+  const double side = std::sqrt(4 / std::sqrt(3.0) * area);
+  Corners equilateral;
+  equilateral << 0, side, 0.5 * side,  //
+      0, 0, 0.5 * std::sqrt(3.0) * side;
+  return rest_element(equilateral);
 }
 
 Corners corners_of(const Points& points, const Eigen::Vector3i& triangle) {
@@ -67,7 +83,8 @@ ElementEnergy element_energy(const EnergySettings& settings, const RestElement& 
   constexpr double kOutside = std::numeric_limits<double>::infinity();
   // The bound A′ > δA holds for β = 0 too, where 0 · ∞ would hide it.
   if (chi == kOutside) return {0, kOutside};
-  return {distortion_weight(settings, rest) * settings.density->value(J), settings.beta * chi};
+  return {distortion_weight(settings, rest) * settings.density->value(J),
+          barrier_weight(settings, rest) * chi};
 }
 
 ElementGradient element_gradient(const EnergySettings& settings, const RestElement& rest,
@@ -80,10 +97,11 @@ ElementGradient element_gradient(const EnergySettings& settings, const RestEleme
 }
 
 ElementHessian element_hessian(const EnergySettings& settings, const RestElement& rest,
-                               const Corners& deformed) {
+                               const Corners& deformed, Curvature curvature) {
   ElementHessian result;
   const Mat2 J = deformation_gradient(rest, deformed);
-  const DensityDerivatives d = weighted_derivatives(settings, rest, J, result.energy);
+  DensityDerivatives d = weighted_derivatives(settings, rest, J, result.energy);
+  if (curvature == Curvature::clamped) d.hessian = clamped_hessian(d.hessian, J);
   const Eigen::Matrix<double, 4, 6> B = jacobian_of_J(rest);
   result.gradient = B.transpose() * d.gradient;
   result.hessian = B.transpose() * d.hessian * B;

@@ -8,6 +8,18 @@
 
 namespace foldless {
 
+/// What a deformed triangle is compared with.
+enum class Reference {
+  rest,        ///< its triangle in M
+  equilateral  ///< an equilateral triangle of the same area: E forgets the map's distortion
+};
+
+/// Which part of an element Hessian is used.
+enum class Curvature {
+  exact,   ///< all of it
+  clamped  ///< its nearest positive semidefinite matrix in J: negative eigenvalues become zero
+};
+
 /// Which energy E of eq. 5 is minimised, in the frame of the mesh it is used on.
 struct EnergySettings {
   const Density* density = nullptr;  ///< ψ
@@ -15,6 +27,8 @@ struct EnergySettings {
   double beta = 0.01;         ///< weight of a triangle's barrier χ_t; 0 keeps only the bound
   double delta = 1e-5;        ///< smallest A′/A, in (0, 1)
   bool area_weighted = true;  ///< false: Σ ψ instead of Σ A ψ
+  bool barrier_area_weighted = false;  ///< true: Σ β A χ instead of Σ β χ
+  Reference reference = Reference::rest;
 };
 
 /// What the energy needs of a rest triangle.
@@ -47,6 +61,8 @@ struct ElementHessian {
 };
 
 RestElement rest_element(const Corners& rest);
+/// What the energy compares a triangle of M with.
+RestElement rest_element(const EnergySettings& settings, const Corners& rest);
 /// The corners of a triangle of a mesh.
 Corners corners_of(const Points& points, const Eigen::Vector3i& triangle);
 /// J = Σ u_j ∇φ_jᵀ, from edge vectors.
@@ -59,6 +75,6 @@ ElementGradient element_gradient(const EnergySettings& settings, const RestEleme
                                  const Corners& deformed);
 /// Precondition: A′ > δA.
 ElementHessian element_hessian(const EnergySettings& settings, const RestElement& rest,
-                               const Corners& deformed);
+                               const Corners& deformed, Curvature curvature = Curvature::exact);
 
 }  // namespace foldless

@@ -23,14 +23,14 @@ double smallest_positive_root(double a, double b, double c) {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Adds a 6×6 element block into the lower triangle.
+/// Adds a 6×6 element block into the lower triangle; nodes below 0 are left out.
 void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,
                const Eigen::Matrix<double, 6, 6>& block) {
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {
       const int i = nodes[static_cast<std::size_t>(a)];
       const int j = nodes[static_cast<std::size_t>(b)];
-      if (i < j) continue;
+      if (i < j || j < 0) continue;
       const BlockPlace place = find_block(matrix, i, j);
       double* first = &matrix.value[static_cast<std::size_t>(place.first_column)];
       double* second = &matrix.value[static_cast<std::size_t>(place.second_column)];
@@ -46,13 +46,19 @@ void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,
 Objective::Objective(const EnergySettings& settings, const MeshPair& mesh,
                      const Positions& positions)
     : settings_(settings), unknowns_(unknowns_of(mesh, positions.vertices)) {
+  is_handle_.assign(static_cast<std::size_t>(unknowns_.count()), false);
+  for (int i = 0; i < positions.count(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    const int node = node_of(positions.vertices[row]);
+    if (node >= 0 && !positions.soft[row]) is_handle_[static_cast<std::size_t>(node)] = true;
+  }
   triangles_.resize(3, mesh.face_count());
   rest_.reserve(static_cast<std::size_t>(mesh.face_count()));
   Eigen::Index moving = 0;
   for (const auto& t : mesh.triangles().colwise()) {
-    if (unknowns_.node_of_vertex[static_cast<std::size_t>(t[0])] < 0) continue;
+    if (node_of(t[0]) < 0) continue;
     triangles_.col(moving++) = t;
-    rest_.push_back(rest_element(corners_of(mesh.rest(), t)));
+    rest_.push_back(rest_element(settings_, corners_of(mesh.rest(), t)));
   }
   triangles_.conservativeResize(Eigen::NoChange, moving);
 }
@@ -75,61 +81,66 @@ Eigen::VectorXd Objective::gradient(const Points& u, const Positions& positions)
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const ElementGradient e = element_gradient(settings_, rest_[static_cast<std::size_t>(t)],
                                                corners_of(u, triangles_.col(t)));
-    for (int corner = 0; corner < 3; ++corner) {
-      const int node = unknowns_.node_of_vertex[static_cast<std::size_t>(triangles_(corner, t))];
-      gradient.segment<2>(2 * node) += e.gradient.segment<2>(2 * corner);
-    }
+    for (int corner = 0; corner < 3; ++corner)
+      gradient.segment<2>(2 * node_of(triangles_(corner, t))) += e.gradient.segment<2>(2 * corner);
   }
-  add_penalty_gradient(u, positions, gradient);
+  add_positions(u, positions, gradient);
   return gradient;
 }
 
 Eigen::VectorXd Objective::assemble(const Points& u, const Positions& positions,
-                                    SparseSymmetric& hessian) const {
+                                    SparseSymmetric& hessian, Curvature curvature) const {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * unknowns_.count());
   std::fill(hessian.value.begin(), hessian.value.end(), 0.0);
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const ElementHessian e = element_hessian(settings_, rest_[static_cast<std::size_t>(t)],
-                                             corners_of(u, triangles_.col(t)));
+                                             corners_of(u, triangles_.col(t)), curvature);
     std::array<int, 3> nodes{};
     for (int corner = 0; corner < 3; ++corner) {
-      const int node = unknowns_.node_of_vertex[static_cast<std::size_t>(triangles_(corner, t))];
-      nodes[static_cast<std::size_t>(corner)] = node;
+      const int node = node_of(triangles_(corner, t));
+      const bool is_out = positions.held && is_handle_[static_cast<std::size_t>(node)];
+      nodes[static_cast<std::size_t>(corner)] = is_out ? -1 : node;
       gradient.segment<2>(2 * node) += e.gradient.segment<2>(2 * corner);
     }
     add_block(hessian, nodes, e.hessian);
   }
-  add_penalty_gradient(u, positions, gradient);
-  for (int i = 0; i < positions.count(); ++i) {
-    const int v = positions.vertices[static_cast<std::size_t>(i)];
-    const int node = unknowns_.node_of_vertex[static_cast<std::size_t>(v)];
-    if (node < 0) continue;
-    const BlockPlace place = find_block(hessian, node, node);
-    const double second_derivative = 2 * settings_.alpha * positions.weights[i];
-    hessian.value[static_cast<std::size_t>(place.first_column)] += second_derivative;
-    hessian.value[static_cast<std::size_t>(place.second_column)] += second_derivative;
-  }
+  add_positions(u, positions, gradient);
+  add_positions(positions, hessian);
   return gradient;
 }
 
-void Objective::add_penalty_gradient(const Points& u, const Positions& positions,
-                                     Eigen::VectorXd& gradient) const {
+void Objective::add_positions(const Points& u, const Positions& positions,
+                              Eigen::VectorXd& gradient) const {
   for (int i = 0; i < positions.count(); ++i) {
     const int v = positions.vertices[static_cast<std::size_t>(i)];
-    const int node = unknowns_.node_of_vertex[static_cast<std::size_t>(v)];
+    const int node = node_of(v);
     if (node < 0) continue;
-    gradient.segment<2>(2 * node) +=
-        2 * settings_.alpha * positions.weights[i] * (u.col(v) - positions.targets.col(i));
+    if (positions.is_eliminated(i))
+      gradient.segment<2>(2 * node).setZero();
+    else
+      gradient.segment<2>(2 * node) +=
+          2 * settings_.alpha * positions.weights[i] * (u.col(v) - positions.targets.col(i));
+  }
+}
+
+void Objective::add_positions(const Positions& positions, SparseSymmetric& hessian) const {
+  for (int i = 0; i < positions.count(); ++i) {
+    const int node = node_of(positions.vertices[static_cast<std::size_t>(i)]);
+    if (node < 0) continue;
+    const BlockPlace place = find_block(hessian, node, node);
+    const double diagonal =
+        positions.is_eliminated(i) ? 1 : 2 * settings_.alpha * positions.weights[i];
+    hessian.value[static_cast<std::size_t>(place.first_column)] += diagonal;
+    hessian.value[static_cast<std::size_t>(place.second_column)] += diagonal;
   }
 }
 
 SparseSymmetric Objective::hessian_pattern() const {
   std::vector<std::pair<int, int>> edges;
   edges.reserve(3 * rest_.size());
-  const auto node = [this](int v) { return unknowns_.node_of_vertex[static_cast<std::size_t>(v)]; };
   for (const auto& t : triangles_.colwise())
     for (int corner = 0; corner < 3; ++corner)
-      edges.emplace_back(node(t[corner]), node(t[(corner + 1) % 3]));
+      edges.emplace_back(node_of(t[corner]), node_of(t[(corner + 1) % 3]));
   return sparse_symmetric(unknowns_.count(), edges);
 }
 

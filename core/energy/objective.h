@@ -28,14 +28,16 @@ class Objective {
 
   const Unknowns& unknowns() const { return unknowns_; }
   const EnergySettings& settings() const { return settings_; }
+  void set_alpha(double alpha) { settings_.alpha = alpha; }
 
   /// Infinite terms when u is outside the feasible set.
   EnergyTerms value(const Points& u, const Positions& positions) const;
   /// ∇E, 2 #unknowns. Precondition: u is feasible.
   Eigen::VectorXd gradient(const Points& u, const Positions& positions) const;
-  /// ∇E, and ∇²E into `hessian`, which has the pattern of hessian_pattern().
-  Eigen::VectorXd assemble(const Points& u, const Positions& positions,
-                           SparseSymmetric& hessian) const;
+  /// ∇E, and ∇²E into `hessian`, which has the pattern of hessian_pattern(). Rows and columns of
+  /// held handles are those of the identity.
+  Eigen::VectorXd assemble(const Points& u, const Positions& positions, SparseSymmetric& hessian,
+                           Curvature curvature = Curvature::exact) const;
   /// ∇²E with all values zero.
   SparseSymmetric hessian_pattern() const;
 
@@ -46,11 +48,13 @@ class Objective {
   Points spread(const Eigen::VectorXd& direction) const;
 
  private:
-  void add_penalty_gradient(const Points& u, const Positions& positions,
-                            Eigen::VectorXd& gradient) const;
+  void add_positions(const Points& u, const Positions& positions, Eigen::VectorXd& gradient) const;
+  void add_positions(const Positions& positions, SparseSymmetric& hessian) const;
+  int node_of(int v) const { return unknowns_.node_of_vertex[static_cast<std::size_t>(v)]; }
 
   EnergySettings settings_;
   Unknowns unknowns_;
+  std::vector<bool> is_handle_;    ///< by node: a handle that may be held
   Triangles triangles_;            ///< of the components that move
   std::vector<RestElement> rest_;  ///< one a triangle
 };

@@ -22,6 +22,7 @@ Positions positions_of(const std::vector<Handle>& handles) {
 double penalty(const Positions& positions, const Points& u) {
   double sum = 0;
   for (int i = 0; i < positions.count(); ++i) {
+    if (positions.is_eliminated(i)) continue;
     const int v = positions.vertices[static_cast<std::size_t>(i)];
     sum += positions.weights[i] * (u.col(v) - positions.targets.col(i)).squaredNorm();
   }

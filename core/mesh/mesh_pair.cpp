@@ -95,6 +95,16 @@ Diamond MeshPair::diamond(int e) const {
           connectivity_.face_handle(ba).idx()};
 }
 
+std::vector<int> MeshPair::triangles_of_edge(int e) const {
+  std::vector<int> triangles;
+  for (const unsigned side : {0U, 1U}) {
+    const FaceHandle f =
+        connectivity_.face_handle(connectivity_.halfedge_handle(EdgeHandle(e), side));
+    if (f.is_valid()) triangles.push_back(f.idx());
+  }
+  return triangles;
+}
+
 std::vector<int> MeshPair::triangles_of_vertex(int v) const {
   std::vector<int> triangles;
   // The outgoing halfedge of a boundary vertex is its boundary halfedge, so the walk is complete.

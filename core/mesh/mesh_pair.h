@@ -57,6 +57,8 @@ class MeshPair {
   bool is_isolated(int v) const;
   /// The diamond of an interior edge. Precondition: not a boundary edge.
   Diamond diamond(int e) const;
+  /// The triangles beside an edge: two, or one at the boundary.
+  std::vector<int> triangles_of_edge(int e) const;
   /// The triangles round a vertex, in order round it; from one boundary edge to the other at a
   /// boundary.
   std::vector<int> triangles_of_vertex(int v) const;

@@ -4,15 +4,17 @@
 #include <algorithm>
 #include <array>
 
+#include "core/method/foldless.h"
 #include "core/method/lim.h"
 #include "core/method/remeshing_assisted.h"
 
 namespace foldless {
 namespace {
 
-template <bool kFlips>
+template <bool kFlips, bool kSplits>
 std::unique_ptr<Method> start_remeshing_assisted(Problem problem) {
-  return std::make_unique<RemeshingAssisted>(std::move(problem), Remeshing{.flips = kFlips});
+  return std::make_unique<RemeshingAssisted>(std::move(problem),
+                                             Remeshing{.flips = kFlips, .splits = kSplits});
 }
 
 template <typename Kind>
@@ -21,9 +23,13 @@ std::unique_ptr<Method> start(Problem problem) {
 }
 
 constexpr std::array kMethods{
-    MethodRow{"paper-flip", "Remeshing-assisted, flips", "JHT14", start_remeshing_assisted<true>},
+    MethodRow{"foldless", "Foldless", "this", start<Foldless>},
+    MethodRow{"paper", "Remeshing-assisted, flips and splits", "JHT14",
+              start_remeshing_assisted<true, true>},
+    MethodRow{"paper-flip", "Remeshing-assisted, flips", "JHT14",
+              start_remeshing_assisted<true, false>},
     MethodRow{"paper-noflip", "Remeshing-assisted, no flips", "JHT14",
-              start_remeshing_assisted<false>},
+              start_remeshing_assisted<false, false>},
     MethodRow{"lim", "Locally injective mappings", "SKPSH13", start<Lim>},
 };
 

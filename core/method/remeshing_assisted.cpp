@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/remeshing_assisted.h"
 
+#include <cmath>
+
+#include "core/method/moving_directions.h"
 #include "core/method/record.h"
 #include "core/method/satisfied.h"
 #include "core/solve/relax_vertices.h"
@@ -10,6 +13,10 @@ namespace {
 
 /// A round that leaves more of ‖P‖² than this has stopped gaining.
 constexpr double kGainOfARound = 0.9;
+/// Rounds of splits that may leave ‖P‖² as it was before they are undone.
+constexpr int kMostRoundsWithoutGain = 0;
+/// No split makes an edge shorter than this. [D]
+constexpr double kShortestEdge = 1e-5;
 
 double mean_rest_area(const MeshPair& mesh) {
   double sum = 0;
@@ -51,6 +58,8 @@ void RemeshingAssisted::set_targets(const Points& targets) {
   positions_.targets = targets;
   phase_ = Phase::update;
   outer_ = 0;
+  best_.reset();
+  rounds_without_gain_ = 0;
   begin_round();
   if (system_.objective().unknowns().count() > 0) outcome_.reset();
 }
@@ -74,6 +83,8 @@ std::optional<Iteration> RemeshingAssisted::advance(std::stop_token token) {
     if (relaxed) return after_relaxing(*relaxed);
     phase_ = Phase::update;
   }
+  if (remeshing_.splits)
+    handles_before_ = held_where_they_are(positions_, mesh_.deformed()).targets;
   const VertexUpdate update = update_vertices(system_, mesh_, positions_, token);
   if (update.cancelled) return std::nullopt;
   return after_updating(update);
@@ -90,19 +101,19 @@ Iteration RemeshingAssisted::after_relaxing(const VertexUpdate& update) {
 
 Iteration RemeshingAssisted::after_updating(const VertexUpdate& update) {
   ++inner_;
-  if (!is_small(update)) round_changed_mesh_ = true;
+  is_last_step_small_ = is_small(update);
+  if (!is_last_step_small_) round_changed_mesh_ = true;
   system_.assemble_gradient(mesh_.deformed(), positions_);
-  const std::optional<Outcome> converged = convergence(update);
-  if (!converged && flip() > 0) {
+  std::optional<Outcome> ended = convergence(update);
+  if (!ended && flip() > 0) {
     round_changed_mesh_ = true;
     system_.assemble_gradient(mesh_.deformed(), positions_);
   }
-  const Iteration iteration = record(update, Phase::update);
   phase_ = Phase::relax;
-  if (converged)
-    end_inner_loop(*converged);
-  else if (inner_ >= parameters_.inner_iterations)
-    end_inner_loop(Outcome::iteration_limit);
+  if (!ended && inner_ >= parameters_.inner_iterations) ended = Outcome::iteration_limit;
+  if (ended && remeshing_.splits && !is_satisfied()) go_back_to_best();
+  const Iteration iteration = record(update, Phase::update);
+  if (ended) end_inner_loop(*ended);
   return iteration;
 }
 
@@ -112,20 +123,53 @@ std::optional<Outcome> RemeshingAssisted::convergence(const VertexUpdate& update
   return std::nullopt;
 }
 
-// Lines 10–13. Without splits another round only begins where this one ended: it can help when the
-// last step was too small, or after N_in repeats that were still gaining on the targets.
+// Lines 10–13.
 void RemeshingAssisted::end_inner_loop(Outcome outcome) {
-  const double error = handle_error_squared(positions_, mesh_.deformed());
-  const bool is_gaining = error < kGainOfARound * round_start_error_;
-  const bool next_round_can_differ = (outcome == Outcome::step && round_changed_mesh_) ||
-                                     (outcome == Outcome::iteration_limit && is_gaining);
   phase_ = Phase::update;
-  if (is_satisfied() || !next_round_can_differ || outer_ + 1 >= parameters_.outer_iterations) {
+  if (is_satisfied() || outer_ + 1 >= parameters_.outer_iterations ||
+      !prepare_next_round(outcome)) {
     outcome_ = outcome;
     return;
   }
   ++outer_;
   begin_round();
+}
+
+// Without splits another round only begins where this one ended: it can help when the last step was
+// too small, or after N_in repeats that were still gaining on the targets.
+bool RemeshingAssisted::prepare_next_round(Outcome outcome) {
+  const double error = handle_error_squared(positions_, mesh_.deformed());
+  const bool is_gaining = error < kGainOfARound * round_start_error_;
+  if (remeshing_.splits)
+    return rounds_without_gain_ <= kMostRoundsWithoutGain && split(outcome) > 0;
+  return (outcome == Outcome::step && round_changed_mesh_) ||
+         (outcome == Outcome::iteration_limit && is_gaining);
+}
+
+int RemeshingAssisted::split(Outcome outcome) {
+  const double off_target = std::sqrt(kSatisfied / positions_.count()) * diagonal_;
+  const auto directions =
+      moving_directions(system_, positions_, mesh_.deformed(),
+                        {outcome, is_last_step_small_, handles_before_}, off_target);
+  const SplitSettings settings{.shortest_edge = kShortestEdge * diagonal_,
+                               .delta = parameters_.delta};
+  const int splits = split_edges(mesh_, directions, settings);
+  if (splits > 0) system_.rebuild(mesh_, positions_, splits);
+  splits_ += splits;
+  return splits;
+}
+
+// Unchecked, a blocked scene grows slivers without end: a round that gained nothing on the targets
+// is undone.
+void RemeshingAssisted::go_back_to_best() {
+  const double error = handle_error_squared(positions_, mesh_.deformed());
+  const bool has_gained = !best_ || error < kGainOfARound * best_->error;
+  rounds_without_gain_ = has_gained ? 0 : rounds_without_gain_ + 1;
+  if (!best_ || error < best_->error) best_ = Best{mesh_, error};
+  if (rounds_without_gain_ <= kMostRoundsWithoutGain || best_->error >= error) return;
+  mesh_ = best_->mesh;
+  system_.rebuild(mesh_, positions_, mesh_.edge_count());
+  system_.assemble_gradient(mesh_.deformed(), positions_);
 }
 
 void RemeshingAssisted::begin_round() {
@@ -160,6 +204,7 @@ Iteration RemeshingAssisted::record(const VertexUpdate& update, Phase phase) {
   iteration.inner = inner_;
   iteration.phase = phase;
   iteration.flips = flips_;
+  iteration.splits = splits_;
   return iteration;
 }
 

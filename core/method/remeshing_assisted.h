@@ -11,7 +11,8 @@ namespace foldless {
 
 /// Which remeshing Algorithm 1 may use.
 struct Remeshing {
-  bool flips = true;  ///< FlipEdges after every Update: Ours(F) of Table 1; off: Ours(NF)
+  bool flips = true;    ///< FlipEdges after every Update: Ours(F) of Table 1; off: Ours(NF)
+  bool splits = false;  ///< SplitEdges where the inner loop leaves handles off their targets
 };
 
 /// Algorithm 1 of the paper, one vertex update a step. The problem's rest mesh has a bounding-box
@@ -34,6 +35,9 @@ class RemeshingAssisted final : public Method {
   std::optional<Outcome> convergence(const VertexUpdate& update) const;
   void end_inner_loop(Outcome outcome);
   void begin_round();
+  bool prepare_next_round(Outcome outcome);
+  int split(Outcome outcome);
+  void go_back_to_best();
   bool is_small(const VertexUpdate& update) const;
   bool is_satisfied() const;
   int flip();
@@ -54,6 +58,16 @@ class RemeshingAssisted final : public Method {
   bool round_changed_mesh_ = false;  ///< something moved or flipped in this outer round
   double round_start_error_ = 0;     ///< ‖P‖² when the outer round began
   int flips_ = 0;
+  int splits_ = 0;
+  Points handles_before_;  ///< where the handles were before the last update, 2 × #handles
+  bool is_last_step_small_ = false;
+  /// The best end of a round so far, to which a round of splits that gained nothing goes back.
+  struct Best {
+    MeshPair mesh;
+    double error;  ///< ‖P‖²
+  };
+  std::optional<Best> best_;
+  int rounds_without_gain_ = 0;
   double seconds_ = 0;
 };
 

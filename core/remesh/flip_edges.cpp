@@ -17,10 +17,15 @@ std::vector<double> triangle_energies(const MeshPair& mesh, const EnergySettings
   std::vector<double> energies;
   energies.reserve(static_cast<std::size_t>(mesh.face_count()));
   for (const auto& t : mesh.triangles().colwise())
-    energies.push_back(element_energy(settings, rest_element(corners_of(mesh.rest(), t)),
+    energies.push_back(element_energy(settings, rest_element(settings, corners_of(mesh.rest(), t)),
                                       corners_of(mesh.deformed(), t))
                            .total());
   return energies;
+}
+
+/// The barrier of a diamond of that rest area, but for the factor χ.
+double barrier_scale(const EnergySettings& energy, double area) {
+  return energy.barrier_area_weighted ? energy.beta * area : energy.beta;
 }
 
 /// Δ_ab when it is worth a flip, else 0. `energy` is E_ab.
@@ -31,9 +36,8 @@ double gain_of_flip(const MeshPair& mesh, const Diamond& diamond, double energy,
   const double gain = energy - energy_of(mesh, flipped, settings.energy);
   double area = 0;
   for (const Eigen::Vector3i& t : flipped) area += signed_area(mesh.rest(), t);
-  const bool worth =
-      gain > settings.eta * energy && gain > kLeastGain * (area + settings.energy.beta);
-  return worth ? gain : 0;
+  const double least = kLeastGain * (area + barrier_scale(settings.energy, area));
+  return gain > settings.eta * energy && gain > least ? gain : 0;
 }
 
 EdgeHeap gains(const MeshPair& mesh, const Unknowns& unknowns, const FlipSettings& settings) {
@@ -46,7 +50,7 @@ EdgeHeap gains(const MeshPair& mesh, const Unknowns& unknowns, const FlipSetting
     const double energy = energies[static_cast<std::size_t>(diamond.left)] +
                           energies[static_cast<std::size_t>(diamond.right)];
     // A gain is at most the energy itself: most of an undeformed mesh ends here.
-    if (energy <= kLeastGain * settings.energy.beta) continue;
+    if (energy <= kLeastGain * barrier_scale(settings.energy, 0)) continue;
     const double gain = gain_of_flip(mesh, diamond, energy, settings);
     if (gain > 0 && mesh.is_flip_legal(e)) heap.push(e, gain);
   }

@@ -29,9 +29,15 @@ void NewtonSystem::rebuild(const MeshPair& mesh, const Positions& positions, int
   plain_factor_ = false;
 }
 
-void NewtonSystem::assemble(const Points& u, const Positions& positions) {
+void NewtonSystem::set_energy(const EnergySettings& settings, const MeshPair& mesh,
+                              const Positions& positions) {
+  objective_ = Objective(settings, mesh, positions);
+  plain_factor_ = false;
+}
+
+void NewtonSystem::assemble(const Points& u, const Positions& positions, Curvature curvature) {
   StageTimer timer(times.assemble);
-  gradient_ = objective_.assemble(u, positions, hessian_);
+  gradient_ = objective_.assemble(u, positions, hessian_, curvature);
   plain_factor_ = false;
 }
 

@@ -29,13 +29,20 @@ class NewtonSystem {
 
   const Objective& objective() const { return objective_; }
 
+  /// Takes another energy for the same mesh; the pattern stays.
+  void set_energy(const EnergySettings& settings, const MeshPair& mesh, const Positions& positions);
+  void set_alpha(double alpha) { objective_.set_alpha(alpha); }
+
   /// Assembles ∇E and ∇²E at u for the factorizations that follow.
-  void assemble(const Points& u, const Positions& positions);
+  void assemble(const Points& u, const Positions& positions,
+                Curvature curvature = Curvature::exact);
   /// Assembles ∇E alone. ∇²E and its factor stay good when only targets moved since assemble().
   void assemble_gradient(const Points& u, const Positions& positions);
   const Eigen::VectorXd& gradient() const { return gradient_; }
   /// True when the factor of ∇²E itself, as last assembled, is at hand.
   bool has_plain_factor() const { return plain_factor_ && cholesky_.has_factor(); }
+  /// Factorizes ∇²E + μI as last assembled; false when it is not positive definite. Counts H.
+  bool factorize(double mu);
   /// True when ∇²E itself is positive definite; its factor then serves the next solve.
   bool factorize_plain();
   /// Factorizes ∇²E + μI for the smallest μ that the damping tries: μ = 0 first unless
@@ -53,8 +60,6 @@ class NewtonSystem {
   StageTimes times;
 
  private:
-  bool factorize(double mu);
-
   Objective objective_;
   SparseSymmetric hessian_;
   Eigen::VectorXd gradient_;

@@ -24,6 +24,7 @@ VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions
   StageTimer timer(system.times.line_search);
   const double slope = system.slope(step);
   if (!(slope < 0)) return update;
+  update.decrement = -0.5 * slope;
   LineSearchResult found =
       line_search(system.objective(), positions, {mesh.deformed(), step, slope});
   if (found.step_length == 0) return update;

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/workspace.h"
+
+#include <cmath>
+
+#include "core/solve/descend.h"
+
+namespace foldless {
+namespace {
+
+/// Flipping on every step is slower, never on full steps locks.
+constexpr double kShortStep = 0.5;
+constexpr int kStepsBetweenFlips = 5;
+
+}  // namespace
+
+VertexUpdate Workspace::descend(const Positions& aimed, std::stop_token token) {
+  const VertexUpdate update = foldless::descend(system, mesh, aimed, curvature, token);
+  if (update.cancelled) return update;
+  ++steps_since_flips;
+  if (update.step_length < kShortStep || steps_since_flips >= kStepsBetweenFlips) flip_edges();
+  return update;
+}
+
+int Workspace::flip_edges() {
+  steps_since_flips = 0;
+  int flipped = 0;
+  {
+    StageTimer timer(system.times.flip);
+    const Objective& objective = system.objective();
+    flipped = foldless::flip_edges(mesh, objective.unknowns(),
+                                   {objective.settings(), eta, condition_test});
+  }
+  if (flipped > 0) system.rebuild(mesh, positions, flipped);
+  flips += flipped;
+  return flipped;
+}
+
+int Workspace::split_edges(const std::vector<MovingDirection>& directions,
+                           const SplitSettings& settings) {
+  const int split = foldless::split_edges(mesh, directions, settings);
+  if (split > 0) system.rebuild(mesh, positions, split);
+  splits += split;
+  return split;
+}
+
+bool Workspace::snap() {
+  Points u = mesh.deformed();
+  for (int i = 0; i < positions.count(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (!positions.soft[row]) u.col(positions.vertices[row]) = positions.targets.col(i);
+  }
+  const Points step = u - mesh.deformed();
+  if (system.objective().largest_step(mesh.deformed(), step) <= 1) return false;
+  Positions held = positions;
+  held.held = true;
+  if (!std::isfinite(system.objective().value(u, held).total())) return false;
+  mesh.set_deformed(std::move(u));
+  system.moved();
+  return true;
+}
+
+void Workspace::set_energy(const EnergySettings& energy) {
+  system.set_energy(energy, mesh, positions);
+}
+
+}  // namespace foldless

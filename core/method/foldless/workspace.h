@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stop_token>
+
+#include "core/energy/positions.h"
+#include "core/mesh/mesh_pair.h"
+#include "core/remesh/flip_edges.h"
+#include "core/remesh/split_edges.h"
+#include "core/solve/newton_system.h"
+#include "core/solve/update_vertices.h"
+
+namespace foldless {
+
+/// How a stage of `foldless` stands after a step.
+enum class Progress {
+  running,
+  arrived,   ///< the stage reached what it is for
+  locked,    ///< it gains no more
+  cancelled  ///< the token was set; nothing changed
+};
+
+/// What the stages of `foldless` work on: a mesh pair, its handles and the Newton system that moves
+/// it. The rest diagonal is about 1. Plain copyable state.
+struct Workspace {
+  MeshPair mesh;
+  Positions positions;  ///< with the real targets
+  NewtonSystem system;
+  double eta;           ///< least relative gain of a flip
+  bool condition_test;  ///< cancel flips that raise cond
+  Curvature curvature = Curvature::exact;
+  int flips = 0;
+  int splits = 0;
+  int steps_since_flips = 0;
+
+  /// ‖P(u)‖².
+  double error() const { return handle_error_squared(positions, mesh.deformed()); }
+  /// One step of descend() towards `aimed`; edges are flipped when the step was short, and every
+  /// few steps.
+  VertexUpdate descend(const Positions& aimed, std::stop_token token);
+  int flip_edges();
+  int split_edges(const std::vector<MovingDirection>& directions, const SplitSettings& settings);
+  /// Puts the handles exactly on their targets if no triangle leaves the feasible set on the way.
+  bool snap();
+  /// Takes another energy for the same mesh.
+  void set_energy(const EnergySettings& energy);
+};
+
+}  // namespace foldless
