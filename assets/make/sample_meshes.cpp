@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assets/make/sample_meshes.h"
 
+#include "assets/make/fill_inside.h"
 #include "core/outline/shapes.h"
 
 namespace foldless::samples {
@@ -12,7 +13,8 @@ Shape mesh_of(const Drawing& drawing, int points, const TriangulateOptions& opti
 
 }  // namespace
 
-// Sampling and bounds of the figures are chosen so that the alligator has the size of Table 1.
+// Sampling and bounds of the figures are chosen so that the alligator and
+// the cowboy have the sizes of Table 1.
 std::vector<SampleMesh> sample_meshes() {
   return {
       {"disk_coarse", disk(kCoarseDisk)},
@@ -21,7 +23,7 @@ std::vector<SampleMesh> sample_meshes() {
       {"grid_dense", grid(kDenseGrid)},
       {"gingerbread", mesh_of(gingerbread(), 112, {.edge_length = 0.1275, .min_angle = 30})},
       {"alligator", mesh_of(alligator(), 612, {.edge_length = 0, .min_angle = 19.2})},
-      {"cowboy", mesh_of(cowboy(), 65, {.edge_length = 0.234, .min_angle = 27})},
+      {"cowboy", filled_inside(mesh_of(cowboy(), 65, {.edge_length = 0.4, .min_angle = 25}), 200)},
       {"bar_with_hole", mesh_of(bar_with_hole(), 90, {.edge_length = 0.12, .min_angle = 28})},
   };
 }
