@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/energy/densities.h"
+#include "core/outline/shapes.h"
 
 namespace foldless::samples {
 namespace {
@@ -210,6 +211,64 @@ Scene cowboy_waves(const Meshes& meshes) {
   return scene;
 }
 
+Scene smooth_sequence(const Meshes& meshes) {
+  Scene scene = dense_disk(meshes);
+  scene.description =
+      "Drag through the timeline: no shape is far from the one before, and none is folded.";
+  return scene;
+}
+
+/// Two vertices of a grid, each with the rest position of the other as its target.
+void exchange(Scene& scene, int a, int b) {
+  add_handle(scene, a, scene.rest.col(b));
+  add_handle(scene, b, scene.rest.col(a));
+}
+
+Scene turned_dense_grid(const Meshes& meshes) {
+  Scene scene = scene_over(meshes.at("grid_dense"), "lscm",
+                           "A block of a held grid turns by 170 degrees: with flips only.");
+  pin(scene, grid_square(kDenseGrid, 0, kDenseGrid.columns, true));
+  turn(scene, grid_square(kDenseGrid, 2, 6, false), {0.4, 0.4}, 170);
+  scene.parameters.delta = 1e-2;
+  return scene;
+}
+
+Scene crossed_coarse_grid(const Meshes& meshes) {
+  Scene scene =
+      scene_over(meshes.at("grid_coarse"), "arap",
+                 "Two vertices of one column change places in a held grid: with flips only.");
+  const auto vertex = [](int i, int j) { return j * (kCoarseGrid.columns + 1) + i; };
+  pin(scene, grid_square(kCoarseGrid, 0, kCoarseGrid.columns, true));
+  exchange(scene, vertex(3, 1), vertex(3, 4));
+  scene.parameters.delta = 1e-3;
+  return scene;
+}
+
+Scene split_coarse_grid(const Meshes& meshes) {
+  Scene scene =
+      scene_over(meshes.at("grid_coarse"), "lscm",
+                 "Two pairs change places: flips alone end short of it, and splits go on.");
+  const auto vertex = [](int i, int j) { return j * (kCoarseGrid.columns + 1) + i; };
+  pin(scene, grid_square(kCoarseGrid, 0, kCoarseGrid.columns, true));
+  exchange(scene, vertex(1, 3), vertex(2, 4));
+  exchange(scene, vertex(3, 1), vertex(4, 3));
+  scene.parameters.delta = 1e-3;
+  scene.parameters.method = "paper";
+  return scene;
+}
+
+/// Both outlines are divided by length; the disk's lowest point goes between the legs.
+Scene disk_to_cowboy(const Meshes& meshes) {
+  Scene scene = scene_over(meshes.at("disk_dense"), "lscm",
+                           "The boundary of a disk goes to the cowboy's outline, point by point.");
+  const std::vector<int> boundary = disk_ring(kDenseDisk, kDenseDisk.rings);
+  const std::size_t count = boundary.size();
+  const Loop outline = sampled(cowboy(), static_cast<int>(count)).boundary;
+  for (std::size_t i = 0; i < count; ++i)
+    add_handle(scene, boundary[(i + 3 * count / 4) % count], outline[i] - Vec2(0, 1.4));
+  return scene;
+}
+
 Scene swirl(const Meshes& meshes) {
   Scene scene =
       scene_over(meshes.at("grid_dense"), "arap",
@@ -230,6 +289,7 @@ std::vector<SampleScene> sample_scenes(const std::vector<SampleMesh>& all) {
       {"figure3_flipped_edges", flipped_bar(meshes)},
       {"figure5_coarse_disk", coarse_disk(meshes)},
       {"figure6_dense_disk", dense_disk(meshes)},
+      {"figure7_smooth_sequence", smooth_sequence(meshes)},
       {"figure8_eta_10_percent", dense_disk_with_eta(meshes, 0.1)},
       {"figure8_eta_1_percent", dense_disk_with_eta(meshes, 0.01)},
       {"figure8_eta_0.1_percent", dense_disk_with_eta(meshes, 0.001)},
@@ -238,6 +298,10 @@ std::vector<SampleScene> sample_scenes(const std::vector<SampleMesh>& all) {
       {"figure9_delta_1e-1", coarse_disk_with_delta(meshes, 1e-1)},
       {"figure10_alligator", alligator_bends(meshes)},
       {"figure10_cowboy", cowboy_waves(meshes)},
+      {"figure11_coarse_grid", crossed_coarse_grid(meshes)},
+      {"figure11_dense_grid", turned_dense_grid(meshes)},
+      {"figure12_splits", split_coarse_grid(meshes)},
+      {"figure14_disk_to_cowboy", disk_to_cowboy(meshes)},
       {"swirl_180", swirl(meshes)},
   };
 }
