@@ -133,10 +133,10 @@ void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
 }
 
 void read_bench(const Texts& texts, BenchCall& call) {
-  if (!call.suite.empty() && call.suite != "random")
-    throw Error("--suite " + in_quotes(call.suite) + " is unknown; choose random");
+  if (!call.suite.empty() && call.suite != "random" && call.suite != "paper")
+    throw Error("--suite " + in_quotes(call.suite) + " is unknown; choose random or paper");
   if (call.suite.empty() == call.scenes.empty())
-    throw Error("bench takes either scene files or --suite random");
+    throw Error("bench takes either scene files or --suite random|paper");
   for (const std::string& name : CLI::detail::split(texts.methods, ','))
     if (!name.empty()) {
       expect_name("--method", name, methods());
@@ -208,7 +208,10 @@ CLI::App* add_check(CLI::App& app, CheckCall& call) {
 CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
   CLI::App* bench = app.add_subcommand("bench", "run methods side by side over many scenes");
   bench->add_option("SCENE", call.scenes, "scene files, where no suite is named");
-  bench->add_option("--suite", call.suite, "random: scenes drawn from a seed")->type_name("NAME");
+  bench
+      ->add_option("--suite", call.suite,
+                   "random: scenes drawn from a seed; paper: Table 1 and Figure 13")
+      ->type_name("NAME");
   bench
       ->add_option("--method", texts.methods,
                    "comma-separated, all when absent: " + names_of(methods()))

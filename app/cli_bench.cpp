@@ -8,6 +8,7 @@
 
 #include "app/bench/bench_pool.h"
 #include "app/bench/bench_report.h"
+#include "app/bench/paper_suite.h"
 #include "app/bench/random_suite.h"
 #include "app/cli.h"
 #include "app/cli_calls.h"
@@ -94,10 +95,16 @@ std::string notes_of(const std::vector<BenchRow>& rows) {
   return text;
 }
 
-void write_files(const std::filesystem::path& folder, const std::vector<BenchRow>& rows) {
+using Rows = std::vector<BenchRow>;
+
+void write_rows(const std::filesystem::path& folder, const Rows& rows) {
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / "results.csv", rows_csv_table(rows).csv());
   write_file_atomically(folder / "results.json", json_text(rows_node(rows)));
+}
+
+void write_comparison(const std::filesystem::path& folder, const Rows& rows) {
+  write_rows(folder, rows);
   std::string summary = "## Summary\n\n" + summary_table(summaries_of(rows)).markdown();
   if (const TextTable table = difficulty_table(rows); !table.is_empty())
     summary += "\n## Reached by difficulty\n\n" + table.markdown();
@@ -105,30 +112,57 @@ void write_files(const std::filesystem::path& folder, const std::vector<BenchRow
   write_file_atomically(folder / "summary.md", summary);
 }
 
-void print(const std::vector<BenchRow>& rows) {
+void print_comparison(const Rows& rows) {
   std::cout << rows_table(rows).plain() << '\n';
   if (const TextTable table = difficulty_table(rows); !table.is_empty())
     std::cout << table.plain() << '\n';
   std::cout << summary_table(summaries_of(rows)).plain();
+}
+
+void write_paper(const std::filesystem::path& folder, const PaperSuite& suite, const Rows& rows) {
+  write_rows(folder, rows);
+  const TextTable table = table1(suite, rows);
+  write_file_atomically(folder / "table1.csv", table.csv());
+  write_file_atomically(folder / "table1.md", table.markdown());
+  for (const PlotFile& plot : figure13(rows)) write_file_atomically(folder / plot.name, plot.svg);
+}
+
+Rows run_with_progress(const BenchCall& call, const std::vector<BenchJob>& jobs,
+                       const Interrupt& interrupt) {
+  Progress progress(jobs.size());
+  return run_jobs(jobs, call.options,
+                  {.is_interrupted = [&] { return interrupt.is_requested(); },
+                   .finished = [&](const BenchRow& row) { progress.show(row); }});
+}
+
+void run_comparison(const BenchCall& call, const Interrupt& interrupt) {
+  const std::vector<BenchScene> scenes = scenes_of(call);
+  if (call.keep) keep_scenes(*call.keep, scenes);
+  const Rows rows = run_with_progress(call, jobs_of(call, scenes), interrupt);
+  print_comparison(rows);
   if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
+  if (call.folder) write_comparison(*call.folder, rows);
+}
+
+void run_paper(const BenchCall& call, const Interrupt& interrupt) {
+  const PaperSuite suite = paper_suite(call.methods);
+  if (call.keep) keep_scenes(*call.keep, suite.scenes);
+  for (const std::string& method : suite.left_out)
+    std::cerr << "foldless: note: this program has no method " << method << "; left out\n";
+  const Rows rows = run_with_progress(call, suite.jobs, interrupt);
+  std::cout << table1(suite, rows).plain();
+  if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
+  if (call.folder) write_paper(*call.folder, suite, rows);
 }
 
 }  // namespace
 
 int bench(const BenchCall& call) {
-  const std::vector<BenchScene> scenes = scenes_of(call);
-  if (call.keep) keep_scenes(*call.keep, scenes);
-  const std::vector<BenchJob> jobs = jobs_of(call, scenes);
   const Interrupt interrupt;
-  std::vector<BenchRow> rows;
-  {
-    Progress progress(jobs.size());
-    rows = run_jobs(jobs, call.options,
-                    {.is_interrupted = [&] { return interrupt.is_requested(); },
-                     .finished = [&](const BenchRow& row) { progress.show(row); }});
-  }
-  print(rows);
-  if (call.folder) write_files(*call.folder, rows);
+  if (call.suite == "paper")
+    run_paper(call, interrupt);
+  else
+    run_comparison(call, interrupt);
   return interrupt.is_requested() ? kExitInterrupted : kExitDone;
 }
 

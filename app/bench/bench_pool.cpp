@@ -91,6 +91,7 @@ class Pool {
     }
     if (!result) return std::nullopt;
     std::ranges::sort(seconds);
+    result->job = index;
     result->seconds = seconds[seconds.size() / 2];
     return result;
   }

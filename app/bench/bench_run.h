@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct BenchJob {
 
 /// What one run came to. Lengths and areas in units of the scene.
 struct BenchRow {
+  std::size_t job = 0;  ///< its index among the jobs
   std::string scene, difficulty, energy, method;
   Parameters parameters;
   int vertices = 0;  ///< of the scene's mesh

@@ -47,6 +47,22 @@ TEST(SolvedSamples, FlipsSaveFactorizationsOnTheCoarseDisk) {
   EXPECT_LT(with.last.factorizations, without.last.factorizations);
 }
 
+TEST(SolvedSamples, TheGridsOfFigure11AreReachedWithFlipsOnly) {
+  for (const std::string name : {"figure11_dense_grid", "figure11_coarse_grid"}) {
+    SCOPED_TRACE(name);
+    EXPECT_TRUE(solved(name, "paper-flip").satisfied);
+    EXPECT_FALSE(solved(name, "paper-noflip").satisfied);
+    EXPECT_FALSE(solved(name, "lim").satisfied);
+  }
+}
+
+TEST(SolvedSamples, Figure12NeedsSplits) {
+  EXPECT_FALSE(solved("figure12_splits", "paper-flip").satisfied);
+  const Ending whole = solved("figure12_splits", "paper");
+  EXPECT_TRUE(whole.satisfied);
+  EXPECT_GT(whole.last.splits, 0);
+}
+
 TEST(SolvedSamples, TheHalfTurnIsReachedWithFlips) {
   EXPECT_TRUE(solved("swirl_180", "paper-flip").satisfied);
 }
