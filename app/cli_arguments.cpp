@@ -242,8 +242,8 @@ void add_examples(CLI::App& app, const std::string& program) {
   app.get_subcommand("solve")->footer("Example:\n  " + solved + " --frames all --render");
   app.get_subcommand("render")->footer("Example:\n  " + program + " render " + sample() +
                                        " -o coarse_disk.png --view both");
-  app.get_subcommand("bench")->footer("Example:\n  " + program +
-                                      " bench --suite random --seed 1 --count 30 --jobs 2");
+  app.get_subcommand("bench")->footer("Example:\n  " + program + " bench " + sample() +
+                                      " --method paper-flip,paper-noflip");
   app.get_subcommand("check")->footer("Example:\n  " + solved + " && " + program +
                                       " check coarse_disk/rest.obj coarse_disk/deformed.obj");
 }

@@ -99,6 +99,17 @@ constexpr std::array kQuantities{
     Quantity{"gradient", "‖∇E‖²", &Iteration::gradient_norm_squared},
 };
 
+struct Disk {
+  std::string_view scene;
+  const char* name;  ///< in file names
+  const char* title;
+};
+
+constexpr std::array kDisks{
+    Disk{"figure5_coarse_disk", "coarse_disk", "coarse disk"},
+    Disk{"figure6_dense_disk", "dense_disk", "dense disk"},
+};
+
 /// The first run of a curve's method on a scene: Table 1 begins with the default parameters.
 const BenchRow* run_of(const Curve& curve, std::string_view scene, std::span<const BenchRow> rows) {
   const auto found = std::ranges::find_if(rows, [&](const BenchRow& row) {
@@ -108,11 +119,10 @@ const BenchRow* run_of(const Curve& curve, std::string_view scene, std::span<con
   return found == rows.end() ? nullptr : &*found;
 }
 
-std::string plot_of(const Quantity& quantity, std::string_view scene,
-                    std::span<const BenchRow> rows) {
+std::string plot_of(const Quantity& quantity, const Disk& disk, std::span<const BenchRow> rows) {
   std::vector<Series> series;
   for (const Curve& curve : kCurves) {
-    const BenchRow* run = run_of(curve, scene, rows);
+    const BenchRow* run = run_of(curve, disk.scene, rows);
     if (run == nullptr) continue;
     Series& line = series.emplace_back();
     line.name = curve.name;
@@ -120,7 +130,7 @@ std::string plot_of(const Quantity& quantity, std::string_view scene,
     for (const Iteration& record : run->iterations) line.y.push_back(record.*quantity.value);
   }
   if (series.empty()) return "";
-  return svg_plot(series, {.title = std::string(quantity.label) + ", " + std::string(scene),
+  return svg_plot(series, {.title = std::string(quantity.label) + ", " + disk.title,
                            .x = {"vertex update"},
                            .y = {quantity.label, true}});
 }
@@ -157,13 +167,12 @@ TextTable table1(const PaperSuite& suite, std::span<const BenchRow> rows) {
 
 std::vector<PlotFile> figure13(std::span<const BenchRow> rows) {
   std::vector<PlotFile> files;
-  for (const std::string scene : {"figure5_coarse_disk", "figure6_dense_disk"})
+  for (const Disk& disk : kDisks)
     for (const Quantity& quantity : kQuantities) {
-      std::string svg = plot_of(quantity, scene, rows);
+      std::string svg = plot_of(quantity, disk, rows);
       if (!svg.empty())
         files.push_back(
-            {"figure13_" + scene.substr(scene.find('_') + 1) + "_" + quantity.name + ".svg",
-             std::move(svg)});
+            {std::string("figure13_") + disk.name + "_" + quantity.name + ".svg", std::move(svg)});
     }
   return files;
 }

@@ -64,7 +64,7 @@ std::vector<Tick> AxisScale::linear_ticks() const {
   std::vector<Tick> ticks;
   const auto first = std::ceil(low_ / step - 1e-9);
   for (double k = first; k * step <= high_ + 1e-9 * step; ++k)
-    ticks.push_back({k * step, short_text(k * step), ""});
+    ticks.push_back({k * step + 0.0, short_text(k * step + 0.0), ""});  // no minus zero
   return ticks;
 }
 

@@ -150,18 +150,50 @@ class Writer {
       rows += s.name.empty() ? 0 : 1;
     }
     if (rows == 0) return;
-    const double width = 42 + 7.0 * static_cast<double>(longest);
-    const double left = frame_.left + frame_.width - width - 8;
-    double y = frame_.top + 8;
-    text_ += "<rect" + at(left, y) + " width=\"" + pixels(width) + "\" height=\"" +
-             pixels(18 * rows + 6) + "\" fill=\"white\" fill-opacity=\"0.85\"/>\n";
+    const Frame box = emptiest_corner(42 + 7.0 * static_cast<double>(longest), 18 * rows + 6);
+    text_ += "<rect" + at(box.left, box.top) + " width=\"" + pixels(box.width) + "\" height=\"" +
+             pixels(box.height) + "\" fill=\"white\" fill-opacity=\"0.85\"/>\n";
+    double y = box.top;
     for (std::size_t i = 0; i < series_.size(); ++i) {
       if (series_[i].name.empty()) continue;
       y += 18;
-      text_ += line(left + 6, y - 4, left + 30, y - 4) + " stroke=\"" + colour_of(i) +
-               "\" stroke-width=\"2\"/>\n<text" + at(left + 36, y) + ">" +
+      text_ += line(box.left + 6, y - 4, box.left + 30, y - 4) + " stroke=\"" + colour_of(i) +
+               "\" stroke-width=\"2\"/>\n<text" + at(box.left + 36, y) + ">" +
                escaped(series_[i].name) + "</text>\n";
     }
+  }
+
+  /// A box of that size in the corner where it hides the fewest points.
+  Frame emptiest_corner(double width, double height) const {
+    constexpr double kGap = 8;
+    const double right = frame_.left + frame_.width - width - kGap;
+    const double low = bottom() - height - kGap;
+    const double left = frame_.left + kGap;
+    const double top = frame_.top + kGap;
+    Frame best{};
+    int fewest = -1;
+    for (const Frame& box : {Frame{right, top, width, height}, Frame{right, low, width, height},
+                             Frame{left, low, width, height}, Frame{left, top, width, height}}) {
+      const int hidden = points_in(box);
+      if (fewest >= 0 && hidden >= fewest) continue;
+      fewest = hidden;
+      best = box;
+    }
+    return best;
+  }
+
+  int points_in(const Frame& box) const {
+    int count = 0;
+    for (const Series& s : series_) {
+      const std::vector<double> x = places_of(s);
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        if (!x_.holds(x[k]) || !y_.holds(s.y[k])) continue;
+        const double across = to_x(x[k]) - box.left;
+        const double down = to_y(s.y[k]) - box.top;
+        count += across >= 0 && across <= box.width && down >= 0 && down <= box.height ? 1 : 0;
+      }
+    }
+    return count;
   }
 
   const std::vector<Series>& series_;

@@ -45,7 +45,7 @@ TEST(EditorCall, SaysInALineWhyItDoesNotOpen) {
 }
 
 TEST(Help, OfEveryCallEndsWithAnExample) {
-  for (const std::string call : {"", "solve", "render", "check"}) {
+  for (const std::string call : {"", "solve", "render", "check", "bench"}) {
     const Ended ended = call.empty() ? test::run({"--help"}) : test::run({call, "--help"});
     EXPECT_EQ(ended.status, 0);
     EXPECT_EQ(ended.err, "");

@@ -52,6 +52,8 @@ TEST(AxisScale, LeavesOutWhatItCannotShow) {
   EXPECT_EQ(axis.fraction(1000), 1);
 }
 
+TEST(AxisScale, ZeroHasNoSign) { EXPECT_EQ(AxisScale({0, 10}, false).ticks().front().text, "0"); }
+
 TEST(AxisScale, HasAFewTicksInsideWhateverTheRange) {
   for (const bool is_logarithmic : {false, true})
     for (const double high : {1.5e-300, 3e-5, 0.9, 1.0, 7.0, 12345.0, 1e300})
@@ -91,6 +93,21 @@ TEST(SvgPlot, LargerValuesAreHigherAndFartherRight) {
 TEST(SvgPlot, BreaksACurveAtAValueThatTheAxisCannotShow) {
   const std::string svg = svg_plot({{"", {10, 1, 0, 1, 10}}}, {.y = {"", true}});
   EXPECT_EQ(count_of("<polyline", svg), 2);
+}
+
+TEST(SvgPlot, TheLegendIsWhereItHidesNothing) {
+  std::vector<double> falling, rising;
+  for (int i = 0; i <= 100; ++i) {
+    falling.push_back(100 - i);
+    rising.push_back(i);
+  }
+  const auto legend_y = [](const std::string& svg) {
+    const std::size_t end = svg.find(">curve</text>");
+    const std::size_t begin = svg.rfind("y=\"", end) + 3;
+    return std::stod(svg.substr(begin));
+  };
+  EXPECT_LT(legend_y(svg_plot({{"curve", falling}}, {})), 210) << "at the top right";
+  EXPECT_GT(legend_y(svg_plot({{"curve", rising}}, {})), 210) << "at the bottom right";
 }
 
 TEST(SvgPlot, EscapesNames) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/bench_report.h"
+
+#include <gtest/gtest.h>
+
+namespace foldless {
+namespace {
+
+BenchRow row_of(const std::string& scene, const std::string& method, int factorizations,
+                bool reached) {
+  BenchRow row;
+  row.scene = scene;
+  row.difficulty = "easy";
+  row.energy = "arap";
+  row.method = method;
+  row.outcome = "gradient";
+  row.is_satisfied = reached;
+  row.is_valid = true;
+  row.last.factorizations = factorizations;
+  row.seconds = 0.01 * factorizations;
+  return row;
+}
+
+std::vector<BenchRow> two_methods() {
+  return {row_of("a", "first", 10, true),  row_of("a", "second", 20, true),
+          row_of("b", "first", 10, true),  row_of("b", "second", 80, true),
+          row_of("c", "first", 10, false), row_of("c", "second", 1, true),
+          row_of("d", "first", 10, true),  row_of("d", "second", 7, false)};
+}
+
+TEST(Summaries, CountWhatIsReached) {
+  const auto summaries = summaries_of(two_methods());
+  ASSERT_EQ(summaries.size(), 2u);
+  EXPECT_EQ(summaries[0].reached, 3);
+  EXPECT_EQ(summaries[1].reached, 3);
+  EXPECT_EQ(summaries[1].runs, 4);
+  EXPECT_EQ(summaries[1].factorizations, 108);
+}
+
+TEST(Summaries, RatiosAreGeometricMeansOverScenesThatBothReach) {
+  const auto summaries = summaries_of(two_methods());
+  EXPECT_EQ(summaries[1].shared, 2);
+  EXPECT_DOUBLE_EQ(summaries[1].factorization_ratio, 4);  // of 2 and 8
+  EXPECT_DOUBLE_EQ(summaries[1].seconds_ratio, 4);
+  EXPECT_DOUBLE_EQ(summaries[0].factorization_ratio, 1);
+}
+
+TEST(Summaries, WhatIsFoldedOrTooLateIsNotReached) {
+  BenchRow folded = row_of("a", "first", 1, true);
+  folded.is_valid = false;
+  BenchRow late = row_of("b", "first", 1, true);
+  late.outcome = "time-limit";
+  const auto summaries = summaries_of(std::vector{folded, late});
+  EXPECT_EQ(summaries[0].reached, 0);
+  EXPECT_EQ(summaries[0].invalid, 1);
+}
+
+TEST(DifficultyTable, CountsByDifficultyAndMethod) {
+  EXPECT_EQ(difficulty_table(two_methods()).csv(), "reached,first,second\neasy,3/4,3/4\n");
+}
+
+}  // namespace
+}  // namespace foldless

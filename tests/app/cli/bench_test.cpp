@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/cli/command.h"
+#include "tests/core/run/scripted_method.h"
+
+namespace foldless {
+namespace {
+
+using nlohmann::json;
+using test::Ended;
+using test::names_in;
+using test::read_text;
+using test::TemporaryFolder;
+
+TEST(Bench, RunsMethodsOverRandomScenesAndWritesTables) {
+  const TemporaryFolder folder;
+  const Ended ended = test::run({"bench", "--suite", "random", "--seed", "3", "--only", "0,6",
+                                 "--method", "paper-noflip,paper-flip", "--jobs", "2", "-o",
+                                 folder / "out", "--keep", folder / "scenes"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_NE(ended.out.find("H ratio"), std::string::npos) << ended.out;
+  EXPECT_EQ(names_in(folder / "out"),
+            (std::vector<std::string>{"results.csv", "results.json", "summary.md"}));
+  const json rows = json::parse(read_text(folder / "out/results.json"));
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0]["method"], "paper-noflip");
+  EXPECT_EQ(rows[1]["method"], "paper-flip");
+  EXPECT_EQ(rows[0]["scene"], rows[1]["scene"]);
+  EXPECT_EQ(names_in(folder / "scenes").size(), 2u);
+}
+
+TEST(Bench, AKeptSceneIsSolvedTheSameWay) {
+  const TemporaryFolder folder;
+  test::run({"bench", "--suite", "random", "--seed", "3", "--only", "2", "--method", "paper-flip",
+             "-o", folder / "out", "--keep", folder / "scenes"});
+  const json row = json::parse(read_text(folder / "out/results.json"))[0];
+  const std::string scene = folder / ("scenes/" + row["scene"].get<std::string>() + ".json");
+  const Ended solved =
+      test::run({"solve", scene, "-o", folder / "solved", "--method", "paper-flip", "--json"});
+  const json report = json::parse(solved.out);
+  EXPECT_EQ(report["factorizations"], row["factorizations"]);
+  EXPECT_EQ(report["satisfied"], row["satisfied"]);
+  EXPECT_EQ(report["energy"]["name"], row["energy"]);
+  EXPECT_NEAR(report["energy"]["distortion"].get<double>(), row["E_d"].get<double>(),
+              1e-9 * std::abs(row["E_d"].get<double>()));
+}
+
+TEST(Bench, TakesSceneFiles) {
+  const TemporaryFolder folder;
+  test::write_scene(folder / "one.json", test::grid_problem());
+  const Ended ended = test::run({"bench", folder / "one.json", "--method", "paper-flip"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_NE(ended.out.find("one "), std::string::npos) << ended.out;
+}
+
+TEST(Bench, RefusesWhatItDoesNotUnderstand) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"bench"},
+        {"bench", "--suite", "all"},
+        {"bench", "--suite", "random", "x.json"},
+        {"bench", "--suite", "random", "--only", "-1"},
+        {"bench", "--suite", "random", "--method", "magic"},
+        {"bench", "--suite", "random", "--jobs", "0"},
+        {"bench", "missing.json"}}) {
+    const Ended ended = test::run(arguments);
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_EQ(std::ranges::count(ended.err, '\n'), 1) << ended.err;
+  }
+}
+
+}  // namespace
+}  // namespace foldless
