@@ -144,8 +144,22 @@ void run_comparison(const BenchCall& call, const Interrupt& interrupt) {
   if (call.folder) write_comparison(*call.folder, rows);
 }
 
+/// Keeps the jobs of the scenes that are wanted, numbered as paper_suite() has them.
+void keep_wanted(const BenchCall& call, PaperSuite& suite) {
+  std::vector<BenchJob> jobs;
+  std::vector<const PaperRow*> rows;
+  for (std::size_t i = 0; i < suite.jobs.size(); ++i) {
+    if (!is_wanted(call, static_cast<int>(suite.jobs[i].scene - suite.scenes.data()))) continue;
+    jobs.push_back(suite.jobs[i]);
+    rows.push_back(suite.rows[i]);
+  }
+  suite.jobs = std::move(jobs);
+  suite.rows = std::move(rows);
+}
+
 void run_paper(const BenchCall& call, const Interrupt& interrupt) {
-  const PaperSuite suite = paper_suite(call.methods);
+  PaperSuite suite = paper_suite(call.methods);
+  keep_wanted(call, suite);
   if (call.keep) keep_scenes(*call.keep, suite.scenes);
   for (const std::string& method : suite.left_out)
     std::cerr << "foldless: note: this program has no method " << method << "; left out\n";

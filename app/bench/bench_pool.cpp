@@ -55,6 +55,7 @@ class Pool {
       if (observer.is_interrupted && observer.is_interrupted()) stop_all();
       report(observer, finished);
     }
+    report(observer, finished);  // workers may all have ended before the first look
     return finished;
   }
 

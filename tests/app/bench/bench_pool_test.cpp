@@ -53,6 +53,13 @@ TEST(RunJobs, RowsComeInTheOrderOfTheJobsWhateverTheThreads) {
   }
 }
 
+TEST(RunJobs, LosesNoRowWhenWorkersAreFasterThanTheirWatcher) {
+  const BenchScene scene =
+      dragged_disk("scene", {.rings = 1, .boundary_vertices = 5, .vertices = 6}, 0.1);
+  for (int round = 0; round < 200; ++round)
+    ASSERT_EQ(run_jobs({job_of(scene, "paper-flip")}, {}, {}).size(), 1u) << "round " << round;
+}
+
 TEST(RunJobs, StopsARunThatIsOverItsTime) {
   const BenchScene dense =
       dragged_disk("dense", {.rings = 60, .boundary_vertices = 360, .vertices = 10981}, 0.9);

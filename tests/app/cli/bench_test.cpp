@@ -51,10 +51,22 @@ TEST(Bench, AKeptSceneIsSolvedTheSameWay) {
 
 TEST(Bench, TakesSceneFiles) {
   const TemporaryFolder folder;
-  test::write_scene(folder / "one.json", test::grid_problem());
+  test::write_scene(folder / "one.json", test::grid_problem(4, Vec2(0.6, 0.6)));
   const Ended ended = test::run({"bench", folder / "one.json", "--method", "paper-flip"});
   EXPECT_EQ(ended.status, 0);
   EXPECT_NE(ended.out.find("one "), std::string::npos) << ended.out;
+}
+
+TEST(Bench, ReproducesAPartOfThePaper) {
+  const TemporaryFolder folder;
+  const Ended ended = test::run({"bench", "--suite", "paper", "--only", "0", "--method",
+                                 "paper-noflip,paper-flip", "-o", folder / "out"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_NE(ended.out.find("187/77"), std::string::npos) << "the paper's own figures";
+  EXPECT_EQ(names_in(folder / "out"),
+            (std::vector<std::string>{"figure13_coarse_disk_energy.svg",
+                                      "figure13_coarse_disk_gradient.svg", "results.csv",
+                                      "results.json", "table1.csv", "table1.md"}));
 }
 
 TEST(Bench, RefusesWhatItDoesNotUnderstand) {
