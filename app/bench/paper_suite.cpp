@@ -53,11 +53,20 @@ std::string or_dash(const std::optional<int>& value) {
   return value ? std::to_string(*value) : "—";
 }
 
+/// `figure5_coarse_disk` → `Coarse disk`.
+std::string title_of(std::string_view scene) {
+  std::string title(scene.substr(scene.find('_') + 1));
+  std::ranges::replace(title, '_', ' ');
+  if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
+    title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  return title;
+}
+
 std::vector<std::string> cells_of(const PaperRow& row, const BenchRow& run) {
   const PaperFigures& paper = row.paper;
   return {
-      run.scene + " (" + std::to_string(run.vertices) + "V/" + std::to_string(run.faces) + "F; " +
-          run.energy + ")",
+      title_of(run.scene) + " (" + std::to_string(run.vertices) + "V/" + std::to_string(run.faces) +
+          "F; " + run.energy + ")",
       std::string(row.label),
       std::string(row.method),
       number_text(row.delta, 1) + "/" + (row.eta ? number_text(*row.eta, 1) : "No"),
