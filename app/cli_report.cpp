@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_report.h"
 
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -9,7 +8,6 @@
 #include "core/energy/positions.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
-#include "core/mesh/text_lines.h"
 #include "core/scene/handle_kind.h"
 #include "core/scene/parameter_keys.h"
 
@@ -79,42 +77,6 @@ JsonNode edges_node(const std::vector<Edge>& edges) {
   return {std::move(array)};
 }
 
-/// A column of iterations.csv: its name and its field.
-struct Column {
-  std::string_view name;
-  void (*append)(std::string& text, const Iteration& record);
-};
-
-template <auto Member>
-void append(std::string& text, const Iteration& record) {
-  append_number(text, record.*Member);
-}
-
-void append_phase(std::string& text, const Iteration& record) { text += name_of(record.phase); }
-
-constexpr std::array kColumns{
-    Column{"outer", append<&Iteration::outer>},
-    Column{"inner", append<&Iteration::inner>},
-    Column{"phase", append_phase},
-    Column{"E_d", append<&Iteration::distortion_energy>},
-    Column{"E_c", append<&Iteration::penalty_energy>},
-    Column{"E_b", append<&Iteration::barrier_energy>},
-    Column{"E", append<&Iteration::energy>},
-    Column{"gradient_norm_squared", append<&Iteration::gradient_norm_squared>},
-    Column{"handle_error_squared", append<&Iteration::handle_error_squared>},
-    Column{"step_infinity_norm", append<&Iteration::step_infinity_norm>},
-    Column{"mu", append<&Iteration::mu>},
-    Column{"step_length", append<&Iteration::step_length>},
-    Column{"flips", append<&Iteration::flips>},
-    Column{"splits", append<&Iteration::splits>},
-    Column{"min_area_ratio", append<&Iteration::min_area_ratio>},
-    Column{"seconds", append<&Iteration::seconds>},
-    Column{"factorizations", append<&Iteration::factorizations>},
-    Column{"updates", append<&Iteration::updates>},
-    Column{"conformal_distortion_max", append<&Iteration::max_conformal_distortion>},
-    Column{"conformal_distortion_mean", append<&Iteration::mean_conformal_distortion>},
-};
-
 }  // namespace
 
 JsonNode handles_node(const std::vector<Handle>& handles) {
@@ -165,20 +127,6 @@ JsonNode report_of(const Solved& solved) {
       {"handles", handles_node(state.handles)},
       {"flipped_edges", edges_node(*state.flipped_edges)},
   }};
-}
-
-std::string iterations_csv(const std::vector<Iteration>& iterations) {
-  std::string text;
-  for (const Column& column : kColumns) {
-    text += column.name;
-    text += &column == &kColumns.back() ? '\n' : ',';
-  }
-  for (const Iteration& record : iterations)
-    for (const Column& column : kColumns) {
-      column.append(text, record);
-      text += &column == &kColumns.back() ? '\n' : ',';
-    }
-  return text;
 }
 
 }  // namespace foldless

@@ -28,10 +28,6 @@ struct Solved {
 /// null before the first iteration; counters are those of the last iteration.
 JsonNode report_of(const Solved& solved);
 
-/// The text of iterations.csv: a line of column names, and one a record. E_c and E_b are weighted,
-/// so that E_d + E_c + E_b = E.
-std::string iterations_csv(const std::vector<Iteration>& iterations);
-
 /// The handles of a report, as a scene file has them.
 JsonNode handles_node(const std::vector<Handle>& handles);
 

@@ -8,6 +8,7 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/iterations_csv.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/text_lines.h"
 
@@ -32,6 +33,13 @@ void remove_frames(const fs::path& frames) {
   fs::remove(frames, ignored);
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) throw Error(folder.string() + ": cannot be made: " + failure.message());
+  if (!fs::is_directory(folder)) throw Error(folder.string() + ": is not a folder");
+}
+
 /// Room for what a mesh does between its start and its targets.
 Box widened(Box box) {
   const auto margin = 0.15 * (box.max - box.min);
@@ -49,13 +57,6 @@ ImageTexts texts_of(const Snapshot& snapshot) {
 }
 
 }  // namespace
-
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw Error(folder.string() + ": cannot be made: " + failure.message());
-  if (!fs::is_directory(folder)) throw Error(folder.string() + ": is not a folder");
-}
 
 Results::Results(fs::path folder, std::optional<FigureOptions> figure)
     : folder_(std::move(folder)) {

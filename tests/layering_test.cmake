@@ -7,7 +7,7 @@
 set(STD "<[a-z_]+>")
 set(POSIX "<(fcntl|unistd|poll|pthread|spawn|signal|sys/[a-z]+)\\.h>")
 set(IMAGE_CODECS "<(png|turbojpeg|webp/[a-z_]+)\\.h>")
-set(CORE "core/(error|iteration|snapshot|atomic_file|data_path)\\.h")
+set(CORE "core/(error|iteration|iterations_csv|snapshot|atomic_file|data_path)\\.h")
 set(PLAIN "${STD}|${POSIX}")
 
 file(GLOB_RECURSE SOURCES RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/core/* ${SOURCE_DIR}/render/*
