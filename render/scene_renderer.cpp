@@ -40,7 +40,11 @@ void SceneRenderer::Parts::draw_inside(const Frame& frame, const Snapshot& snaps
                                        const ViewOptions& options) {
   heat_range.reset();
   if (options.layers.heat) {
-    const Distortion distortion = distortion_of(snapshot, options.heat_measure);
+    Distortion distortion = distortion_of(snapshot, options.heat_measure);
+    if (options.heat_scale) {
+      distortion.range.min = options.heat_scale->front();
+      distortion.range.max = options.heat_scale->back();
+    }
     heat_range = distortion.range;
     fill.draw_heat(frame, mesh, distortion);
   } else if (options.layers.fill) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace foldless {
@@ -61,6 +62,8 @@ struct ViewOptions {
   Layers layers;
   double checker_squares = 20;  ///< squares along the longer side of the rest mesh's box
   HeatMeasure heat_measure = HeatMeasure::conformal;
+  /// Ends of the heat map's scale, to compare pictures; absent: those of the mesh.
+  std::optional<std::array<double, 2>> heat_scale = std::nullopt;
   Theme theme = Theme::dark;
   Background background = Background::theme;
   Pose pose = Pose::deformed;

@@ -19,13 +19,39 @@ bool has_mesh(const Editor& e) { return !e.document().is_empty(); }
 bool has_handles(const Editor& e) { return !e.document().handles.empty(); }
 bool has_selection(const Editor& e) { return !e.selection().empty(); }
 bool has_texture(const Editor& e) { return !e.document().texture.empty(); }
-bool has_iterations(const Editor& e) { return !e.iterations().empty(); }
 bool can_undo(const Editor& e) { return e.is_editing() || e.history().can_undo(); }
 bool can_redo(const Editor& e) { return e.history().can_redo(); }
-bool can_scrub(const Editor& e) { return e.can_scrub(); }
 bool is_scrubbed(const Editor& e) { return e.scrubbed().has_value(); }
 bool is_solving(const Editor& e) { return e.is_solving(); }
-bool is_paused(const Editor& e) { return e.solving_state() == SolvingState::paused; }
+bool is_diff_shown(const Editor& e) { return e.remesh_diff().is_shown(); }
+bool is_diff_linked(const Editor& e) { return is_diff_shown(e) && e.remesh_diff().is_linked(); }
+bool is_stuck(const Editor& e) { return e.stuck_handle() != nullptr; }
+bool has_race(const Editor& e) { return e.race().is_open(); }
+
+// The transport works on the race while there is one.
+
+bool is_paused(const Editor& e) {
+  if (has_race(e)) return !e.race().is_playing() && !e.race().is_finished();
+  return e.solving_state() == SolvingState::paused;
+}
+bool has_iterations(const Editor& e) {
+  return has_race(e) ? e.race().furthest() > 0 : !e.iterations().empty();
+}
+bool can_go_back(const Editor& e) {
+  return has_race(e) ? e.race().tick() > 0 : !e.iterations().empty();
+}
+bool can_go_to_first(const Editor& e) { return has_race(e) ? can_go_back(e) : e.can_scrub(); }
+bool can_go_to_last(const Editor& e) {
+  return has_race(e) ? e.race().tick() < e.race().furthest() : is_scrubbed(e);
+}
+
+template <void (Race::*InRace)(), void (Editor::*InEditor)()>
+void transport(Editor& e) {
+  if (has_race(e))
+    (e.race().*InRace)();
+  else
+    (e.*InEditor)();
+}
 
 template <Request R>
 void ask(Editor& e) {
@@ -49,13 +75,19 @@ bool is_layer_on(const Editor& e) {
   return e.view().layers.*kLayerRows[K].shown;
 }
 
+/// The same command, in a race too.
+Command in_race(Command command) {
+  command.in_race = true;
+  return command;
+}
+
 // A table reads best with one row a line.
 // clang-format off
 
 template <std::size_t K>
 Command layer(std::string_view name) {
   const auto key = static_cast<Key>(static_cast<int>(Key::digit_1) + static_cast<int>(K));
-  return {name, "View", kLayerRows[K].title, {{key, kNone}}, always, toggle_layer<K>, is_layer_on<K>};
+  return in_race({name, "View", kLayerRows[K].title, {{key, kNone}}, always, toggle_layer<K>, is_layer_on<K>});
 }
 
 /// The same command, run again while its key is held down.
@@ -75,7 +107,10 @@ std::vector<Command> file_commands() {
       {"file.snapshot", "File", "Save picture", {{Key::f12, kNone}}, has_mesh, ask<Request::write_snapshot>},
       {"file.export", "File", "Export\u2026", {{Key::e, kControl}}, has_mesh, ask<Request::export_dialog>},
       {"file.export_again", "File", "Export again", {{Key::e, kControlShift}}, has_mesh, ask<Request::export_again>},
-      {"file.quit", "File", "Quit", {{Key::q, kControl}}, always, call<&Editor::close>},
+      in_race({"file.export_csv", "File", "Export convergence as CSV\u2026", {}, has_iterations, ask<Request::export_csv>}),
+      in_race({"file.export_svg", "File", "Export convergence plots as SVG\u2026", {}, has_iterations, ask<Request::export_svg>}),
+      in_race({"file.export_table", "File", "Export the race's table as CSV\u2026", {}, has_race, ask<Request::export_table>}),
+      in_race({"file.quit", "File", "Quit", {{Key::q, kControl}}, always, call<&Editor::close>}),
   };
 }
 
@@ -88,19 +123,24 @@ std::vector<Command> edit_commands() {
       {"select.all", "Edit", "Select all", {{Key::a, kControl}}, has_handles, call<&Editor::select_all>},
       {"select.none", "Edit", "Select none", {{Key::a, kControlShift}}, has_selection, [](Editor& e) { e.select({}); }},
       {"select.invert", "Edit", "Invert selection", {{Key::i, kControl}}, has_handles, call<&Editor::invert_selection>},
-      {"edit.escape", "Edit", "Cancel, stop or deselect", {{Key::escape, kNone}}, always, call<&Editor::escape>},
+      in_race({"edit.escape", "Edit", "Cancel, stop or deselect", {{Key::escape, kNone}}, always, call<&Editor::escape>}),
   };
 }
 
 std::vector<Command> solve_commands() {
   return {
-      {"solve.toggle", "Solve", "Pause or resume", {{Key::space, kNone}}, has_mesh, call<&Editor::toggle_pause>, is_paused},
+      in_race({"solve.toggle", "Solve", "Pause or resume", {{Key::space, kNone}}, has_mesh, transport<&Race::toggle, &Editor::toggle_pause>, is_paused}),
       {"solve.stop", "Solve", "Stop", {}, is_solving, call<&Editor::stop_solving>},
-      repeating({"solve.step", "Solve", "Next iteration", {{Key::period, kNone}}, has_handles, call<&Editor::step_forward>}),
-      repeating({"solve.back", "Solve", "Previous iteration", {{Key::comma, kNone}}, has_iterations, call<&Editor::step_back>}),
-      {"solve.first", "Solve", "First iteration", {{Key::comma, kShift}}, can_scrub, call<&Editor::first_iteration>},
-      {"solve.last", "Solve", "Newest iteration", {{Key::period, kShift}}, is_scrubbed, call<&Editor::last_iteration>},
+      in_race(repeating({"solve.step", "Solve", "Next iteration", {{Key::period, kNone}}, has_handles, transport<&Race::step_forward, &Editor::step_forward>})),
+      in_race(repeating({"solve.back", "Solve", "Previous iteration", {{Key::comma, kNone}}, can_go_back, transport<&Race::step_back, &Editor::step_back>})),
+      in_race({"solve.first", "Solve", "First iteration", {{Key::comma, kShift}}, can_go_to_first, transport<&Race::first_tick, &Editor::first_iteration>}),
+      in_race({"solve.last", "Solve", "Newest iteration", {{Key::period, kShift}}, can_go_to_last, transport<&Race::last_tick, &Editor::last_iteration>}),
       {"solve.use", "Solve", "Use this iteration", {{Key::enter, kNone}}, is_scrubbed, call<&Editor::use_iteration>},
+      {"stuck.toggle", "Solve", "Why is it stuck?", {{Key::w, kNone}}, has_handles, call<&Editor::toggle_stuck>, [](const Editor& e) { return e.stuck().is_shown(); }},
+      {"stuck.flip", "Solve", "Flip the edges in the way", {{Key::f, kShift}}, is_stuck, call<&Editor::flip_blocking>},
+      {"stuck.split", "Solve", "Split the edges in the way", {{Key::s, kShift}}, is_stuck, call<&Editor::split_blocking>},
+      in_race({"race.toggle", "Solve", "Race of methods", {{Key::m, kNone}}, has_handles, call<&Editor::toggle_race>, has_race}),
+      in_race({"race.restart", "Solve", "Start the race again", {{Key::m, kShift}}, has_race, [](Editor& e) { e.race().restart(); }}),
   };
 }
 
@@ -108,9 +148,11 @@ std::vector<Command> view_commands() {
   return {
       repeating({"view.zoom_in", "View", "Zoom in", {{Key::plus, kNone}, {Key::plus, kShift}}, always, [](Editor& e) { e.zoom(kZoomStep); }}),
       repeating({"view.zoom_out", "View", "Zoom out", {{Key::minus, kNone}}, always, [](Editor& e) { e.zoom(1 / kZoomStep); }}),
-      {"view.fit", "View", "Fit all", {{Key::home, kNone}}, has_mesh, call<&Editor::fit_all>},
+      in_race({"view.fit", "View", "Fit all", {{Key::home, kNone}}, has_mesh, transport<&Race::fit, &Editor::fit_all>}),
       {"view.fit_selection", "View", "Fit selection", {{Key::f, kNone}}, has_mesh, call<&Editor::fit_selection>},
       {"view.actual_size", "View", "100 %", {{Key::digit_0, kControl}}, always, call<&Editor::actual_size>},
+      {"view.remesh_diff", "View", "Rest and deformed side by side", {{Key::d, kNone}}, has_mesh, call<&Editor::toggle_remesh_diff>, is_diff_shown},
+      {"view.link_panes", "View", "Move both sides together", {{Key::d, kShift}}, is_diff_shown, call<&Editor::toggle_link>, is_diff_linked},
       layer<0>("view.fill"),
       layer<1>("view.wireframe"),
       layer<2>("view.boundary"),
@@ -118,12 +160,12 @@ std::vector<Command> view_commands() {
       layer<4>("view.handles"),
       layer<5>("view.remeshed"),
       layer<6>("view.rest"),
-      {"view.hide_overlays", "View", "Hide overlays while held", {{Key::h, kNone}}, always,
-       [](Editor& e) { e.hide_overlays(true); },
-       [](const Editor& e) { return e.are_overlays_hidden(); },
-       [](Editor& e) { e.hide_overlays(false); }},
-      {"help.search", "Help", "Search commands\u2026", {{Key::k, kControl}}, always, ask<Request::command_search>},
-      {"help.keys", "Help", "Shortcuts", {{Key::f1, kNone}}, always, ask<Request::cheat_sheet>},
+      in_race({"view.hide_overlays", "View", "Hide overlays while held", {{Key::h, kNone}}, always,
+               [](Editor& e) { e.hide_overlays(true); },
+               [](const Editor& e) { return e.are_overlays_hidden(); },
+               [](Editor& e) { e.hide_overlays(false); }}),
+      in_race({"help.search", "Help", "Search commands\u2026", {{Key::k, kControl}}, always, ask<Request::command_search>}),
+      in_race({"help.keys", "Help", "Shortcuts", {{Key::f1, kNone}}, always, ask<Request::cheat_sheet>}),
   };
 }
 

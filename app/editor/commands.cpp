@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/editor/command_table.h"
+#include "app/editor/editor.h"
 
 namespace foldless {
 namespace {
@@ -62,6 +63,10 @@ const Command* find_command(const Shortcut& shortcut) {
     return std::find(c.shortcuts.begin(), c.shortcuts.end(), shortcut) != c.shortcuts.end();
   });
   return it == table.end() ? nullptr : &*it;
+}
+
+bool is_available(const Command& command, const Editor& editor) {
+  return (command.in_race || !editor.race().is_open()) && command.is_enabled(editor);
 }
 
 std::string words_of(const Shortcut& shortcut) {

@@ -33,6 +33,7 @@ struct Command {
   /// Called when the key is let go, for commands that last as long as it is held; else null.
   void (*release)(Editor&) = nullptr;
   bool repeats = false;  ///< runs again while its key is held down
+  bool in_race = false;  ///< makes sense while a race covers the document
 };
 
 /// Every command in menu order.
@@ -42,6 +43,9 @@ std::span<const Command> commands();
 const Command* find_command(std::string_view name);
 /// The command with that shortcut, or null.
 const Command* find_command(const Shortcut& shortcut);
+
+/// True when the command can be run now.
+bool is_available(const Command& command, const Editor& editor);
 
 /// `Ctrl+Shift+S`.
 std::string words_of(const Shortcut& shortcut);

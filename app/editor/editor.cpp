@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/mesh/orientation.h"
-#include "core/mesh/quality.h"
-
 namespace foldless {
 namespace {
 
@@ -17,13 +14,6 @@ std::filesystem::path recent_file(const std::filesystem::path& folder) {
   return folder.empty() ? folder : folder / "recent.json";
 }
 
-int inverted_triangles(const Snapshot& pose) {
-  int count = 0;
-  for (const auto& t : pose.triangles->colwise())
-    if (orientation(*pose.rest, t) <= 0 || orientation(pose.deformed, t) <= 0) ++count;
-  return count;
-}
-
 }  // namespace
 
 Editor::Editor(EditorOptions options)
@@ -32,6 +22,7 @@ Editor::Editor(EditorOptions options)
       history_(options_.history_bytes),
       solving_(options_.wake),
       tool_(make_idle_tool()),
+      race_(options_.wake),
       recent_(recent_file(options_.state_folder)) {
   mark_saved();
 }
@@ -44,6 +35,7 @@ void Editor::resize(int width, int height, double ui_scale) {
   canvas_.height = std::max(height, 1);
   canvas_.ui_scale = ui_scale;
   view_.ui_scale = ui_scale;
+  remesh_diff_.resize(canvas_);
   if (needs_fit_) fit_all();
   redraw();
 }
@@ -56,11 +48,14 @@ bool Editor::update(double now) {
     take_newest();
     redraw();
   }
+  if (race_.update(now)) redraw();
+  const bool rests = !solving_.is_running() && !is_editing() && !scrubbed_ && !race_.is_open();
+  if (stuck_.follow(document_, rests)) redraw();
   return std::exchange(needs_redraw_, false);
 }
 
 std::optional<double> Editor::next_wake() const {
-  std::optional<double> next;
+  std::optional<double> next = race_.next_wake();
   for (const Toast& toast : toasts_) next = std::min(next.value_or(toast.until), toast.until);
   return next;
 }
@@ -94,19 +89,12 @@ void Editor::refresh_proof() {
   const auto pose = old_pose_ ? old_pose_ : document_.pose;
   if (pose == proved_) return;
   proved_ = pose;
-  proof_ = {};
-  if (!pose) return;
-  proof_.triangles = static_cast<int>(pose->triangles->cols());
-  proof_.vertices = static_cast<int>(pose->rest->cols());
-  if (proof_.triangles == 0) return;
-  proof_.inverted = inverted_triangles(*pose);
-  const Quality quality = quality_of(*pose->triangles, *pose->rest, pose->deformed);
-  proof_.min_area_ratio = quality.min_area_ratio;
-  proof_.max_conformal_distortion = quality.max_conformal_distortion;
+  proof_ = pose ? proof_of(*pose) : Proof{};
 }
 
 ViewOptions Editor::shown_view() const {
   ViewOptions view = view_;
+  view.layers.remeshed = view.layers.remeshed || remesh_diff_.is_shown();
   if (overlays_hidden_) {
     const bool fill = view.layers.fill;
     view.layers = {};
@@ -140,7 +128,7 @@ std::string Editor::title() const {
 
 bool Editor::run_command(std::string_view name) {
   const Command* command = find_command(name);
-  if (!command || !command->is_enabled(*this)) return false;
+  if (!command || !is_available(*command, *this)) return false;
   command->run(*this);
   redraw();
   return true;

@@ -17,8 +17,12 @@
 #include "app/editor/input.h"
 #include "app/editor/messages.h"
 #include "app/editor/parameter_rows.h"
+#include "app/editor/proof.h"
+#include "app/editor/race.h"
 #include "app/editor/recent_files.h"
+#include "app/editor/remesh_diff.h"
 #include "app/editor/solving.h"
+#include "app/editor/stuck.h"
 #include "app/editor/tool.h"
 #include "render/view_options.h"
 
@@ -175,6 +179,29 @@ class Editor {
   /// Stages of Esc: cancel the gesture, stop solving, leave the timeline, deselect.
   void escape();
 
+  // Side by side.
+
+  const RemeshDiff& remesh_diff() const { return remesh_diff_; }
+  void toggle_remesh_diff();
+  void toggle_link();
+  /// Moves the pane of the rest mesh, and the canvas with it when they are linked.
+  void set_rest_camera(const Camera& camera);
+  Race& race() { return race_; }
+  const Race& race() const { return race_; }
+  /// Opens a race with the document's handles, or closes it; the document stays as it is.
+  void toggle_race();
+  /// Closes the race; what a lane shows, and how it was made, becomes the document: an undo step.
+  void use_race_lane(std::size_t index);
+
+  // Why a handle does not get there.
+
+  const StuckHandles& stuck() const { return stuck_; }
+  /// The stuck handle that is talked about: the selected one, or the farthest; null without any.
+  const StuckHandle* stuck_handle() const;
+  void toggle_stuck();
+  void flip_blocking();   ///< the edges that block it; an undo step
+  void split_blocking();  ///< as the paper's rule does; an undo step
+
   // For tools.
 
   bool is_space_held() const { return space_.has_value(); }
@@ -251,6 +278,9 @@ class Editor {
   std::optional<std::size_t> scrubbed_;
   Proof proof_;
   std::optional<double> pace_;
+  RemeshDiff remesh_diff_;
+  Race race_;
+  StuckHandles stuck_;
 
   std::set<int> selection_;
   std::optional<int> hovered_;

@@ -130,6 +130,7 @@ void Editor::install(Document document, std::string label) {
   last_change_.reset();
   selection_.clear();
   hovered_.reset();
+  race_.close();
   restore(document);
   fit_all();
 }

@@ -23,6 +23,7 @@ void Editor::set_pace(std::optional<double> pace) {
   if (pace) pace = std::clamp(*pace, 1.0, 60.0);
   pace_ = pace;
   solving_.set_pace(pace);
+  race_.set_pace(pace);
   redraw();
 }
 
@@ -77,6 +78,7 @@ void Editor::first_iteration() { scrub(0); }
 void Editor::last_iteration() { leave_timeline(); }
 
 void Editor::escape() {
+  if (race_.is_open()) return toggle_race();
   if (!tool_->is_idle()) return cancel_gesture();
   if (solving_.is_running()) return stop_solving();
   if (scrubbed_) return leave_timeline();

@@ -53,6 +53,7 @@ void Editor::set_hovered(std::optional<int> id) {
 
 void Editor::set_camera(const Camera& camera) {
   canvas_.camera = camera;
+  remesh_diff_.follow(camera);
   redraw();
 }
 
@@ -72,7 +73,8 @@ void Editor::fit_all() {
   Box box = box_at(shown_->deformed.col((*shown_->triangles)(0, 0)));
   for (const int v : shown_->triangles->reshaped()) extend(box, shown_->deformed.col(v));
   for (const HandleView& handle : handle_views()) extend(box, handle.target);
-  set_camera(fit_to_box(box, canvas_.size(), kMargin * canvas_.ui_scale));
+  const Camera camera = fit_to_box(box, canvas_.size(), kMargin * canvas_.ui_scale);
+  set_camera(remesh_diff_.fit(*shown_->rest, camera, kMargin));
 }
 
 void Editor::fit_selection() {

@@ -20,6 +20,9 @@ enum class Request {
   write_snapshot,  ///< a numbered PNG at once
   export_dialog,   ///< ask how to export
   export_again,    ///< export as last time
+  export_csv,      ///< ask for a file, then write the iterations, the race's while there is one
+  export_svg,      ///< ask for a file, then draw their convergence
+  export_table,    ///< ask for a file, then write the race's table
   command_search,  ///< show the search over commands()
   cheat_sheet,     ///< show or hide the table of shortcuts
   quit             ///< nothing is unsaved, or the user said so: close the window
@@ -64,15 +67,6 @@ struct HandleView {
   bool is_at_target = true;      ///< false: draw ring, line and distance
   bool is_selected = false;
   bool is_hovered = false;
-};
-
-/// What is known about the mesh on screen.
-struct Proof {
-  int inverted = 0;           ///< triangles whose area is not positive, in either mesh
-  double min_area_ratio = 1;  ///< smallest A′/A
-  double max_conformal_distortion = 1;
-  int triangles = 0;
-  int vertices = 0;
 };
 
 }  // namespace foldless

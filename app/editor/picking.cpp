@@ -69,11 +69,15 @@ std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const P
 }
 
 std::optional<int> triangle_at(const Snapshot& pose, const Vec2& world) {
-  const Triangles& triangles = *pose.triangles;
+  return triangle_at(*pose.triangles, pose.deformed, world);
+}
+
+std::optional<int> triangle_at(const Triangles& triangles, const Points& points,
+                               const Vec2& world) {
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const Vec2 a = pose.deformed.col(triangles(0, t));
-    const Vec2 b = pose.deformed.col(triangles(1, t));
-    const Vec2 c = pose.deformed.col(triangles(2, t));
+    const Vec2 a = points.col(triangles(0, t));
+    const Vec2 b = points.col(triangles(1, t));
+    const Vec2 c = points.col(triangles(2, t));
     if (signed_area(a, b, world) >= 0 && signed_area(b, c, world) >= 0 &&
         signed_area(c, a, world) >= 0)
       return static_cast<int>(t);

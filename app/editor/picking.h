@@ -27,6 +27,9 @@ std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const P
 /// The triangle of the deformed mesh that holds a world point, or nothing.
 std::optional<int> triangle_at(const Snapshot& shown, const Vec2& world);
 
+/// The triangle that holds a point; `points` are 2 × #V.
+std::optional<int> triangle_at(const Triangles& triangles, const Points& points, const Vec2& world);
+
 /// A place on the deformed mesh where a handle can go: a vertex, or else a point of a triangle.
 struct MeshHit {
   std::optional<int> vertex;                              ///< within the hit radius

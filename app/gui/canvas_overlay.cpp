@@ -156,7 +156,7 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   list.PushClipRect({canvas.x, canvas.y}, {canvas.x + canvas.width, canvas.y + canvas.height});
   draw_heat_notes(editor, context, brush);
   if (editor.shown_view().layers.handles) draw_distances(editor, brush, context.look);
-  if (!editor.is_editing() && !editor.are_overlays_hidden())
+  if (!editor.is_editing() && !editor.are_overlays_hidden() && !editor.remesh_diff().is_shown())
     draw_description(editor.document().description, brush, context.look);
   if (const auto band = editor.band()) draw_band(*band, brush, context.look);
   list.PopClipRect();

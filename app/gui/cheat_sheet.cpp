@@ -78,12 +78,12 @@ void draw_cheat_sheet(Editor&, const PanelContext& context) {
   if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
     draw_gestures(look);
-    draw_menu("Help", look);
+    draw_menu("Solve", look);
     ImGui::TableNextColumn();
     draw_menu("File", look);
     draw_menu("Edit", look);
+    draw_menu("Help", look);
     ImGui::TableNextColumn();
-    draw_menu("Solve", look);
     draw_menu("View", look);
     ImGui::EndTable();
   }

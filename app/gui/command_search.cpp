@@ -78,7 +78,7 @@ void CommandSearch::draw_rows(Editor& editor, const Look& look) {
       is_pressed(ImGuiKey_Enter) ? found[static_cast<std::size_t>(selected_)] : nullptr;
   for (int row = 0; row <= last; ++row) {
     const Command& command = *found[static_cast<std::size_t>(row)];
-    ImGui::BeginDisabled(!command.is_enabled(editor));
+    ImGui::BeginDisabled(!is_available(command, editor));
     if (ImGui::Selectable(words_of(command).c_str(), row == selected_,
                           ImGuiSelectableFlags_DontClosePopups))
       chosen = &command;
@@ -86,7 +86,7 @@ void CommandSearch::draw_rows(Editor& editor, const Look& look) {
     draw_shortcut(command, look);
     ImGui::EndDisabled();
   }
-  if (!chosen || !chosen->is_enabled(editor)) return;
+  if (!chosen || !is_available(*chosen, editor)) return;
   ImGui::CloseCurrentPopup();
   editor.run_command(chosen->name);
 }

@@ -5,6 +5,8 @@ namespace foldless {
 
 std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
   if (editor.document().is_empty()) return "Drop a scene or a mesh here, or press Ctrl+O";
+  if (editor.race().is_open())
+    return "Space pauses all lanes · . goes on by one · wheel zooms, drag moves · Esc closes";
   if (editor.scrubbed()) return "Enter goes on from this iteration · Esc returns to the newest";
   if (editor.is_editing()) return "Release to set the target · Esc takes the drag back";
   if (editor.band()) return "Release to select · Shift adds · Ctrl takes away · Esc cancels";

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "app/editor/convergence.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
 namespace {
-
-/// How many edges an iteration flipped or split, as against the one before it.
-int changed_edges(const std::vector<Iteration>& iterations, std::size_t index) {
-  const Iteration& now = iterations[index];
-  if (index == 0) return now.flips + now.splits;
-  const Iteration& before = iterations[index - 1];
-  return now.flips + now.splits - before.flips - before.splits;
-}
 
 void draw_row(std::size_t index, Editor& editor, const PanelContext& context) {
   const Iteration& record = editor.iterations()[index];
@@ -36,7 +29,7 @@ void draw_row(std::size_t index, Editor& editor, const PanelContext& context) {
   ImGui::TableNextColumn();
   ImGui::Text("%.2g", record.handle_error_squared);
   ImGui::TableNextColumn();
-  if (const int changed = changed_edges(editor.iterations(), index); changed != 0)
+  if (const int changed = remeshed_edges(editor.iterations(), index); changed != 0)
     ImGui::TextColored(look.palette->accent, "%d", changed);
 }
 

@@ -13,7 +13,7 @@ namespace {
 void draw_command(const Command& command, Editor& editor) {
   const bool checked = command.is_checked && command.is_checked(editor);
   if (ImGui::MenuItem(std::string(command.title).c_str(), shortcut_words(command).c_str(), checked,
-                      command.is_enabled(editor)))
+                      is_available(command, editor)))
     editor.run_command(command.name);
 }
 

@@ -24,6 +24,12 @@ void draw_side_panels(Editor& editor, const PanelContext& context);
 void draw_timeline_panel(Editor& editor, const PanelContext& context);
 /// Hints of what the mouse does now, the status in words, and the proof badge.
 void draw_status_bar(Editor& editor, const PanelContext& context);
+/// The pane of the rest mesh, and in both panes what is pointed at.
+void draw_remesh_panes(Editor& editor, const PanelContext& context);
+/// What stands in the way of handles that do not get to their targets, and what helps.
+void draw_stuck_card(Editor& editor, const PanelContext& context);
+/// Lanes, plots and table of the race, over everything between menu and timeline.
+void draw_race_panel(Editor& editor, const PanelContext& context);
 void draw_toasts(Editor& editor, const PanelContext& context);
 /// Everything that covers the rest: files, export, search, cheat sheet, questions.
 void draw_dialogs(Editor& editor, const PanelContext& context);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
-#include <vector>
+#include <string>
 
+#include "app/editor/convergence.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot.h"
 #include "app/gui/widgets.h"
@@ -9,32 +10,47 @@
 namespace foldless {
 namespace {
 
-/// One curve over the iterations.
-struct Series {
-  const char* id;
-  const char* title;
-  double Iteration::*value;
-};
-
-constexpr std::array<Series, 3> kSeries{{
-    {"energy", "Energy E", &Iteration::energy},
-    {"gradient", "Gradient ‖∇E‖²", &Iteration::gradient_norm_squared},
-    {"residual", "Distance to targets ‖P‖²", &Iteration::handle_error_squared},
-}};
+/// Which curves are drawn, and where they are written to.
+void draw_controls(Editor& editor, const PanelContext& context) {
+  const auto series = convergence_series();
+  auto& shown = context.state.shown_series;
+  if (ImGui::Button("Curves…")) ImGui::OpenPopup("##curves");
+  tooltip("Which quantities are plotted over the iterations.", context.look);
+  if (ImGui::BeginPopup("##curves")) {
+    for (std::size_t i = 0; i < series.size(); ++i)
+      ImGui::Checkbox(series[i].title.data(), &shown[i]);
+    ImGui::EndPopup();
+  }
+  ImGui::BeginDisabled(editor.iterations().empty());
+  ImGui::SameLine();
+  if (ImGui::Button("CSV…")) editor.run_command("file.export_csv");
+  tooltip("Writes every iteration with all its numbers to a file.", context.look);
+  ImGui::SameLine();
+  if (ImGui::Button("SVG…")) editor.run_command("file.export_svg");
+  tooltip("Draws these curves into a file, as the paper's Figure 13.", context.look);
+  ImGui::EndDisabled();
+}
 
 }  // namespace
 
 void draw_plots_panel(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
-  const auto& iterations = editor.iterations();
-  std::vector<double> values(iterations.size());
-  for (std::size_t i = 0; i < kSeries.size(); ++i) {
-    for (std::size_t n = 0; n < iterations.size(); ++n) values[n] = iterations[n].*kSeries[i].value;
-    const Plot plot{
-        kSeries[i].id,           kSeries[i].title,  values,
-        look.palette->series[i], editor.scrubbed(), {ImGui::GetContentRegionAvail().x, look.px(72)},
-        look.fonts.small};
-    const auto chosen = draw_log_plot(plot, *look.palette);
+  const auto series = convergence_series();
+  draw_controls(editor, context);
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    if (!context.state.shown_series[i]) continue;
+    const std::array curves{
+        PlotCurve{std::string(series[i].title),
+                  values_of(series[i], editor.iterations(), editor.iterations().size()),
+                  look.palette->series[i % look.palette->series.size()]}};
+    const auto chosen = draw_plot({series[i].name.data(),
+                                   series[i].title.data(),
+                                   curves,
+                                   series[i].is_logarithmic,
+                                   editor.scrubbed(),
+                                   {ImGui::GetContentRegionAvail().x, look.px(72)},
+                                   look.fonts.small},
+                                  *look.palette);
     if (chosen && editor.can_scrub()) editor.scrub(*chosen);
   }
 }

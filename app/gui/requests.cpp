@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/requests.h"
 
+#include <array>
+#include <functional>
 #include <utility>
 
+#include "app/editor/race_table.h"
+#include "app/gui/plot_export.h"
+#include "core/atomic_file.h"
 #include "core/data_path.h"
 #include "core/error.h"
 
@@ -81,6 +86,53 @@ void order_snapshot(Editor& editor, UiState& state, const std::filesystem::path&
   state.exporting.order(std::move(job));
 }
 
+/// What a text file will hold, made when the user has chosen where.
+struct TextExport {
+  std::string title;
+  std::string ending;  ///< of the suggested name
+  std::function<std::string()> text;
+};
+
+void ask_where_to_export(TextExport job, Editor& editor, UiState& state) {
+  FileRequest request;
+  request.purpose = FileRequest::Purpose::save;
+  request.title = job.title;
+  request.extensions = {std::filesystem::path(job.ending).extension().string()};
+  request.start = starting_folder(editor, state) / (suggested_name(editor) + job.ending);
+  request.chosen = [&editor, &state, text = job.text](const std::filesystem::path& path) {
+    state.last_folder = path.parent_path();
+    try {
+      write_file_atomically(path, text());
+      editor.toast(ToastKind::notice, "Wrote " + path.string());
+    } catch (const Error& error) {
+      editor.toast(ToastKind::error, error.what());
+    }
+  };
+  state.browser.ask(std::move(request));
+}
+
+void export_csv(Editor& editor, UiState& state) {
+  ask_where_to_export(
+      {"Export the iterations", "-iterations.csv", [&editor] { return convergence_csv(editor); }},
+      editor, state);
+}
+
+/// A race shows energy, gradient, residual and distortion.
+void export_svg(Editor& editor, UiState& state) {
+  const auto shown =
+      editor.race().is_open() ? std::array<bool, 8>{true, true, true, true} : state.shown_series;
+  ask_where_to_export({"Export the convergence plots", "-convergence.svg",
+                       [&editor, shown] { return convergence_svg(editor, shown); }},
+                      editor, state);
+}
+
+/// The race may be closed while the user chooses: the table is that of now.
+void export_table(Editor& editor, UiState& state) {
+  ask_where_to_export({"Export the race's table", "-race.csv",
+                       [text = race_table_csv(editor.race())] { return text; }},
+                      editor, state);
+}
+
 }  // namespace
 
 std::filesystem::path starting_folder(const Editor& editor, const UiState& state) {
@@ -106,6 +158,9 @@ bool handle_requests(Editor& editor, UiState& state, const std::filesystem::path
       case Request::write_snapshot: order_snapshot(editor, state, pictures_folder); break;
       case Request::export_dialog: state.exporting.open(editor); break;
       case Request::export_again: state.exporting.repeat(editor); break;
+      case Request::export_csv: export_csv(editor, state); break;
+      case Request::export_svg: export_svg(editor, state); break;
+      case Request::export_table: export_table(editor, state); break;
       case Request::command_search: state.search.open(); break;
       case Request::cheat_sheet: state.shows_cheat_sheet = !state.shows_cheat_sheet; break;
       case Request::quit: state.wants_to_quit = true; break;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-#include <cstdio>
 #include <string>
 
 #include "app/gui/hints.h"
 #include "app/gui/panels.h"
+#include "app/gui/proof_badge.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
@@ -48,43 +47,17 @@ void draw_status(const Status& status, const Look& look) {
   ImGui::TextUnformatted(status.words.c_str());
 }
 
-/// Always in sight: whether the map on screen is proved to be without fold.
-std::string badge_words(const Proof& proof) {
-  std::array<char, 128> text{};
-  std::snprintf(text.data(), text.size(), "%d inverted  ·  area ≥ %.3g  ·  σ₁/σ₂ ≤ %.3g  ·  %d △",
-                proof.inverted, proof.min_area_ratio, proof.max_conformal_distortion,
-                proof.triangles);
-  return text.data();
-}
+/// In a race every lane has its own.
+bool has_badge(const Editor& editor) { return editor.shown() && !editor.race().is_open(); }
 
-void draw_badge(const Editor& editor, const PanelContext& context) {
-  if (!editor.shown()) return;
-  const Look& look = context.look;
-  const Proof& proof = editor.proof();
-  const std::string words = badge_words(proof);
-  const float width = ImGui::CalcTextSize(words.c_str()).x + look.px(18);
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - look.px(10));
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float line = ImGui::GetTextLineHeight();
-  const ImVec4& colour = proof.inverted == 0 ? look.palette->good : look.palette->warning;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 c{corner.x + look.px(5), corner.y + line / 2};
-  const float r = look.px(5);
-  const float thickness = look.px(1.8F);
-  if (proof.inverted == 0) {
-    list.AddLine({c.x - r, c.y}, {c.x - r * 0.2F, c.y + r * 0.7F}, packed(colour), thickness);
-    list.AddLine({c.x - r * 0.2F, c.y + r * 0.7F}, {c.x + r, c.y - r * 0.7F}, packed(colour),
-                 thickness);
-  } else {
-    list.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, packed(colour), thickness);
-    list.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, packed(colour), thickness);
-  }
-  ImGui::SetCursorScreenPos({corner.x + look.px(16), corner.y});
-  ImGui::TextUnformatted(words.c_str());
-  tooltip(
-      "The proof, with exact arithmetic: how many triangles are inverted, the smallest ratio of "
-      "deformed to original area, the largest stretch ratio, and how many triangles there are.",
-      look);
+/// Between status and badge, where there is room.
+void draw_hint(const Editor& editor, const PanelContext& context, float left) {
+  const float badge = has_badge(editor) ? ImGui::GetItemRectMin().x - ImGui::GetWindowPos().x
+                                        : context.layout.status_bar.width;
+  const std::string hint = hint_words(editor, context.state.modifiers);
+  if (left + ImGui::CalcTextSize(hint.c_str()).x + context.look.px(36) > badge) return;
+  ImGui::SameLine(left);
+  ImGui::TextColored(context.look.palette->dim, "%s", hint.c_str());
 }
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -104,16 +77,10 @@ void draw_status_bar(Editor& editor, const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2{1, 1});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette->bar);
   if (ImGui::Begin("##status", nullptr, kFixed)) {
-    draw_status(editor.status(), look);
-    const std::string hint = hint_words(editor, context.state.modifiers);
-    const float badge = editor.shown() ? look.px(330) : 0;
-    const float width = ImGui::CalcTextSize(hint.c_str()).x;
-    ImGui::SameLine(0, look.px(24));
-    if (ImGui::GetCursorPosX() + width < place.width - badge)
-      ImGui::TextColored(look.palette->dim, "%s", hint.c_str());
-    else
-      ImGui::Dummy({1, 1});
-    draw_badge(editor, context);
+    draw_status(editor.race().is_open() ? editor.race().status() : editor.status(), look);
+    const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    if (has_badge(editor)) draw_proof_badge(editor.proof(), place.width - left - look.px(24), look);
+    draw_hint(editor, context, left + look.px(24));
   }
   ImGui::End();
   ImGui::PopStyleColor();

@@ -20,10 +20,12 @@ struct Palette {
   ImVec4 press;   ///< what is being pressed
   ImVec4 accent;  ///< what is chosen, and the one main button
   ImVec4 on_accent;
-  ImVec4 good;                   ///< converged, proved
-  ImVec4 busy;                   ///< solving
-  ImVec4 warning;                ///< blocked, unsaved, an error
-  std::array<ImVec4, 3> series;  ///< curves of the plots, told apart without red and green
+  ImVec4 good;     ///< converged, proved
+  ImVec4 busy;     ///< solving
+  ImVec4 warning;  ///< blocked, unsaved, an error
+  ImVec4 caution;  ///< ground of what folds
+  ImVec4 on_caution;
+  std::array<ImVec4, 4> series;  ///< curves of the plots, told apart without red and green
 };
 
 /// The palettes by theme: dark, light and high contrast, in the order of the theme setting.

@@ -16,7 +16,7 @@ void command_icon(const char* name, Icon icon, Editor& editor, const Look& look)
   if (!command) return;
   const std::string key = shortcut_words(*command);
   const std::string tip = std::string(command->title) + (key.empty() ? "" : " (" + key + ")");
-  ImGui::BeginDisabled(!command->is_enabled(editor));
+  ImGui::BeginDisabled(!is_available(*command, editor));
   if (icon_button(name, icon, tip, look)) editor.run_command(name);
   ImGui::EndDisabled();
   ImGui::SameLine();
@@ -25,7 +25,8 @@ void command_icon(const char* name, Icon icon, Editor& editor, const Look& look)
 void draw_transport(Editor& editor, const Look& look) {
   command_icon("solve.first", Icon::first, editor, look);
   command_icon("solve.back", Icon::back, editor, look);
-  const bool is_solving = editor.is_solving();
+  const bool is_solving =
+      editor.race().is_open() ? editor.race().is_playing() : editor.is_solving();
   ImGui::BeginDisabled(editor.document().is_empty());
   if (icon_button("toggle", is_solving ? Icon::pause : Icon::play,
                   is_solving ? "Pause (Space)" : "Solve (Space)", look, true))
@@ -72,6 +73,21 @@ void draw_scrubber(Editor& editor, const Look& look, float width) {
           look);
 }
 
+void draw_race_scrubber(Editor& editor, const Look& look, float width) {
+  Race& race = editor.race();
+  const int furthest = static_cast<int>(race.furthest());
+  int tick = static_cast<int>(race.tick());
+  const std::string words =
+      "Iteration " + std::to_string(tick) + " of " + std::to_string(furthest) + " in every lane";
+  ImGui::SetNextItemWidth(width);
+  ImGui::BeginDisabled(furthest == 0);
+  if (ImGui::SliderInt("##tick", &tick, 0, std::max(furthest, 1), words.c_str(),
+                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
+    race.scrub(static_cast<std::size_t>(std::max(tick, 0)));
+  ImGui::EndDisabled();
+  tooltip("Drag through the iterations of all lanes ( , and . step). Pauses the race.", look);
+}
+
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -89,7 +105,11 @@ void draw_timeline_panel(Editor& editor, const PanelContext& context) {
     const bool has_use = editor.scrubbed().has_value();
     const bool has_pace = ImGui::GetContentRegionAvail().x > look.px(has_use ? 320 : 230);
     const float right = (has_pace ? look.px(114) : 0) + (has_use ? look.px(82) : 0);
-    draw_scrubber(editor, look, std::max(look.px(40), ImGui::GetContentRegionAvail().x - right));
+    const float width = std::max(look.px(40), ImGui::GetContentRegionAvail().x - right);
+    if (editor.race().is_open())
+      draw_race_scrubber(editor, look, width);
+    else
+      draw_scrubber(editor, look, width);
     if (has_use) {
       ImGui::SameLine();
       if (main_button("Use this", look)) editor.run_command("solve.use");

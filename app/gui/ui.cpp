@@ -13,11 +13,11 @@
 #include "app/gui/canvas_picture.h"
 #include "app/gui/input_feed.h"
 #include "app/gui/panels.h"
+#include "app/gui/race_layout.h"
 #include "app/gui/requests.h"
+#include "app/gui/scenes.h"
 #include "app/gui/ui_state.h"
 #include "core/error.h"
-#include "render/scene_renderer.h"
-#include "render/theme.h"
 #include "render/ui_renderer.h"
 
 namespace foldless {
@@ -57,15 +57,14 @@ struct Ui::Parts {
   UiOptions options;
   ImGuiOwner imgui;
   UiRenderer ui_renderer;
-  SceneRenderer scene_renderer;
+  Scenes scenes;
   InputFeed feed;
   CanvasInput canvas_input;
   UiState state;
   Settings saved_settings;
   Look look;
   Layout layout;
-  std::filesystem::path texture;  ///< that the scene renderer shows
-  std::string clipboard;          ///< keeps the text alive that ImGui was given
+  std::string clipboard;  ///< keeps the text alive that ImGui was given
   double time = 0;
   int settling = kSettlingFrames;
   News news;                   ///< of the last frame
@@ -75,7 +74,6 @@ struct Ui::Parts {
   void connect_clipboard();
   void follow_scale(const FrameSpec& spec);
   void follow_settings();
-  void follow_texture(Editor& editor);
   void carry_out(const ExportJob& job, Editor& editor);
 };
 
@@ -116,25 +114,12 @@ void Ui::Parts::follow_settings() {
   if (!options.state_folder.empty()) save_settings(settings_file(), saved_settings);
 }
 
-void Ui::Parts::follow_texture(Editor& editor) {
-  const std::filesystem::path wanted = editor.document().texture;
-  if (wanted == texture) return;
-  texture = wanted;
-  scene_renderer.clear_texture();
-  if (wanted.empty()) return;
-  try {
-    scene_renderer.set_texture(load_image(wanted));
-  } catch (const Error& error) {
-    editor.toast(ToastKind::error, error.what());
-  }
-}
-
 void Ui::Parts::carry_out(const ExportJob& job, Editor& editor) {
   try {
     if (job.is_picture()) {
       GLint bound = 0;
       glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-      const Image picture = draw_picture(editor, scene_renderer, job.picture);
+      const Image picture = draw_picture(editor, scenes.canvas_renderer(), job.picture);
       glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
       save_png(job.path, picture, picture_texts(editor));
     } else {
@@ -169,15 +154,13 @@ void Ui::receive(UiEvent event) {
 
 void Ui::frame(Editor& editor, const FrameSpec& spec) {
   Parts& p = *parts_;
-  prepare(spec);
+  prepare(editor, spec);
   const Vec2 pixels{static_cast<double>(spec.framebuffer.width) / std::max(spec.window.width, 1),
                     static_cast<double>(spec.framebuffer.height) / std::max(spec.window.height, 1)};
   const auto events = p.feed.take_frame(ImGui::GetIO(), pixels);
   p.state.modifiers = p.feed.modifiers();
   ImGui::NewFrame();
-  editor.resize(static_cast<int>(p.layout.canvas.width), static_cast<int>(p.layout.canvas.height),
-                p.look.scale);
-  if (std::exchange(p.scale_changed, false)) editor.fit_all();
+  resize(editor);
   route(editor, events, spec.time);
   editor.view().theme = p.state.settings.theme;
   editor.update(spec.time);
@@ -185,7 +168,8 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   const News news{editor.question() != nullptr, editor.toasts().size()};
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order()) p.carry_out(*job, editor);
-  draw_scene(editor, spec);
+  p.scenes.draw(editor, p.layout, spec.framebuffer);
+  p.state.heat_range = p.scenes.heat_range();
   draw_panels(editor);
   ImGui::Render();
   p.ui_renderer.draw(*ImGui::GetDrawData());
@@ -193,10 +177,12 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   p.settling = std::max(0, p.settling - 1);
 }
 
-void Ui::prepare(const FrameSpec& spec) {
+void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   Parts& p = *parts_;
   p.follow_scale(spec);
-  p.layout = layout_for(spec.framebuffer, p.look.scale, p.state.settings.shows_panels);
+  const bool has_race = editor.race().is_open();
+  p.layout = layout_for(spec.framebuffer, p.look.scale, p.state.settings.shows_panels && !has_race);
+  if (editor.remesh_diff().is_shown() && !has_race) split_canvas(p.layout, p.look.scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(spec.framebuffer.width),
                     static_cast<float>(spec.framebuffer.height)};
@@ -204,37 +190,39 @@ void Ui::prepare(const FrameSpec& spec) {
   p.time = spec.time;
 }
 
+/// What a race covers keeps its size and its view.
+void Ui::resize(Editor& editor) {
+  Parts& p = *parts_;
+  if (editor.race().is_open()) {
+    const auto lanes = race_layout_for(p.layout.canvas, editor.race().lanes().size(), p.look.scale);
+    const Rectangle& view = lanes.lanes.front().view;
+    editor.race().resize(static_cast<int>(view.width), static_cast<int>(view.height), p.look.scale);
+    return;
+  }
+  editor.resize(static_cast<int>(p.layout.canvas.width), static_cast<int>(p.layout.canvas.height),
+                p.look.scale);
+  if (std::exchange(p.scale_changed, false)) editor.fit_all();
+}
+
 void Ui::route(Editor& editor, const std::vector<UiEvent>& events, double time) {
   Parts& p = *parts_;
-  p.canvas_input.begin_frame(p.layout.canvas);
+  p.canvas_input.begin_frame(editor.race().is_open() ? Rectangle{} : p.layout.canvas);
   for (const UiEvent& event : events)
     if (const auto* input = std::get_if<InputEvent>(&event))
       p.canvas_input.route(*input, editor, time);
   p.state.pointer = p.canvas_input.pointer();
 }
 
-void Ui::draw_scene(Editor& editor, const FrameSpec& spec) {
-  Parts& p = *parts_;
-  p.follow_texture(editor);
-  const glm::vec4 background = canvas_colours(p.state.settings.theme).background;
-  glViewport(0, 0, spec.framebuffer.width, spec.framebuffer.height);
-  glDisable(GL_SCISSOR_TEST);
-  glClearColor(background.r, background.g, background.b, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  p.state.heat_range.reset();
-  const auto shown = editor.shown();
-  if (!shown) return;
-  const Rectangle& canvas = p.layout.canvas;
-  const int bottom = spec.framebuffer.height - static_cast<int>(canvas.y + canvas.height);
-  p.scene_renderer.draw(*shown, scene_view(editor, static_cast<int>(canvas.x), bottom),
-                        editor.shown_view());
-  p.state.heat_range = p.scene_renderer.heat_range();
-}
-
 void Ui::draw_panels(Editor& editor) {
   Parts& p = *parts_;
   const PanelContext context{p.state, p.look, p.layout};
-  draw_canvas_overlay(editor, context);
+  if (editor.race().is_open()) {
+    draw_race_panel(editor, context);
+  } else {
+    draw_canvas_overlay(editor, context);
+    draw_remesh_panes(editor, context);
+    draw_stuck_card(editor, context);
+  }
   draw_menu_bar(editor, context);
   draw_side_panels(editor, context);
   draw_timeline_panel(editor, context);

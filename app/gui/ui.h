@@ -58,9 +58,9 @@ class Ui {
 
  private:
   struct Parts;
-  void prepare(const FrameSpec& spec);
+  void prepare(const Editor& editor, const FrameSpec& spec);
+  void resize(Editor& editor);
   void route(Editor& editor, const std::vector<UiEvent>& events, double time);
-  void draw_scene(Editor& editor, const FrameSpec& spec);
   void draw_panels(Editor& editor);
 
   std::unique_ptr<Parts> parts_;

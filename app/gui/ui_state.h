@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -26,6 +27,8 @@ struct UiState {
   bool shows_cheat_sheet = false;
   bool shows_about = false;
   bool wants_to_quit = false;
+  /// Which of convergence_series() the plots panel draws.
+  std::array<bool, 8> shown_series{true, true, true};
   std::filesystem::path last_folder;    ///< where the last file was opened or saved
   Modifiers modifiers;                  ///< held now
   std::optional<Vec2> pointer;          ///< on the canvas, framebuffer pixels

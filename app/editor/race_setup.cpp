@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/race_setup.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "app/editor/edits.h"
+#include "core/method/methods.h"
+
+namespace foldless {
+namespace {
+
+double stepped(const ParameterRow& row, double value, int steps) {
+  for (; steps > 0; --steps)
+    value =
+        row.scale == ParameterScale::linear ? value + (row.maximum - row.minimum) / 10 : value * 10;
+  return std::clamp(value, row.minimum, row.maximum);
+}
+
+std::string title_of(const ParameterRow& row, double value) {
+  const std::string title(row.title);
+  if (row.scale == ParameterScale::on_off) return title + (value != 0 ? ": on" : ": off");
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), " = %.6g", value);
+  // The letter of the paper is enough: "η = 0.001".
+  const auto space = title.rfind(' ');
+  const bool has_letter = space != std::string::npos && title.size() - space <= 3;
+  return (has_letter ? title.substr(space + 1) : title) + number.data();
+}
+
+/// The first method that no lane has yet, or the first of all.
+std::string unused_method(const std::vector<std::string>& used) {
+  for (const MethodRow& row : methods())
+    if (std::ranges::find(used, row.name) == used.end()) return std::string(row.name);
+  return std::string(methods().front().name);
+}
+
+}  // namespace
+
+RaceSetup method_race(const Document& document) {
+  RaceSetup setup;
+  setup.methods.push_back(document.parameters.method);
+  const std::size_t count = std::clamp(methods().size(), kFewestLanes, kMostLanes);
+  while (setup.methods.size() < count) setup.methods.push_back(unused_method(setup.methods));
+  return setup;
+}
+
+RaceSetup parameter_race(const ParameterRow& row, const Document& document) {
+  RaceSetup setup;
+  setup.varied = &row;
+  const double value = default_of(row, *document.energy);
+  if (row.scale == ParameterScale::on_off) {
+    setup.values = {1, 0};
+  } else {
+    for (int steps = 0; steps < 3; ++steps) setup.values.push_back(stepped(row, value, steps));
+  }
+  return setup;
+}
+
+RaceSetup with_lane(RaceSetup setup) {
+  if (setup.lane_count() >= kMostLanes) return setup;
+  if (setup.varied)
+    setup.values.push_back(stepped(*setup.varied, setup.values.back(), 1));
+  else
+    setup.methods.push_back(unused_method(setup.methods));
+  return setup;
+}
+
+RaceSetup without_lane(RaceSetup setup) {
+  if (setup.lane_count() <= kFewestLanes) return setup;
+  if (setup.varied)
+    setup.values.pop_back();
+  else
+    setup.methods.pop_back();
+  return setup;
+}
+
+std::vector<RaceEntry> entries_of(const RaceSetup& setup, const Document& document) {
+  std::vector<RaceEntry> entries;
+  if (setup.varied) {
+    for (const double value : setup.values) {
+      RaceEntry entry{title_of(*setup.varied, value), document.parameters};
+      setup.varied->set(entry.parameters, value);
+      entries.push_back(std::move(entry));
+    }
+    return entries;
+  }
+  for (const std::string& name : setup.methods) {
+    const MethodRow* method = find_method(name);
+    RaceEntry entry{method ? std::string(method->title) : name, document.parameters};
+    entry.parameters.method = name;
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+Document start_of_race(const Document& document, bool at_rest) {
+  if (!at_rest) return document;
+  Document start = in_rest_pose(document);
+  for (Handle& handle : start.handles)
+    if (const Handle* wanted = find_handle(document, handle.id)) handle.target = wanted->target;
+  return start;
+}
+
+}  // namespace foldless

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/editor/document.h"
+#include "app/editor/parameter_rows.h"
+
+namespace foldless {
+
+inline constexpr std::size_t kFewestLanes = 2;
+inline constexpr std::size_t kMostLanes = 4;
+
+/// What the lanes of a race differ in, and where they start. Everything else is the document's.
+struct RaceSetup {
+  const ParameterRow* varied = nullptr;  ///< null: the method
+  std::vector<std::string> methods;      ///< a lane each, names of methods(), when that is varied
+  std::vector<double> values;            ///< a lane each, when a parameter is varied
+  bool starts_at_rest = true;            ///< false: from the mesh as it is
+
+  std::size_t lane_count() const { return varied ? values.size() : methods.size(); }
+  bool operator==(const RaceSetup&) const = default;
+};
+
+/// The document's method and those that follow in methods(), at most four.
+RaceSetup method_race(const Document& document);
+
+/// Three values of a parameter: a logarithmic one in steps of ten, a switch on and off.
+RaceSetup parameter_race(const ParameterRow& row, const Document& document);
+
+/// One lane more, different from the others where possible, or the last one less. Within 2 … 4.
+RaceSetup with_lane(RaceSetup setup);
+RaceSetup without_lane(RaceSetup setup);
+
+/// One lane as it is run.
+struct RaceEntry {
+  std::string title;
+  Parameters parameters;
+};
+std::vector<RaceEntry> entries_of(const RaceSetup& setup, const Document& document);
+
+/// The document that a race starts from: its handles with their targets, and its mesh as it is or
+/// at rest. Precondition: not empty.
+Document start_of_race(const Document& document, bool at_rest);
+
+}  // namespace foldless

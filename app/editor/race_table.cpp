@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/race_table.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "core/iterations_csv.h"
+#include "core/mesh/text_lines.h"
+
+namespace foldless {
+namespace {
+
+constexpr std::string_view kTableColumns =
+    "lane,mesh,vertices,triangles,energy,method,delta,eta,conformal_distortion_max,"
+    "conformal_distortion_mean,handle_error_squared,CI,H,U,seconds,flips,splits,inverted\n";
+
+/// A field that holds any words.
+std::string csv_field(std::string_view words) {
+  std::string text = "\"";
+  for (const char c : words) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + '"';
+}
+
+template <typename Number>
+void append_numbers(std::string& text, std::initializer_list<Number> numbers) {
+  for (const Number number : numbers) {
+    text += ',';
+    append_number(text, number);
+  }
+}
+
+void append_row(std::string& text, const RaceLane& lane, const Document& document) {
+  const Iteration record = lane.record() ? *lane.record() : Iteration{};
+  text += csv_field(lane.title()) + ',' + csv_field(document.name);
+  append_numbers(text, {lane.proof().vertices, lane.proof().triangles});
+  text.append(",").append(document.energy->name).append(",").append(lane.parameters().method);
+  append_numbers(
+      text, {lane.parameters().delta, lane.parameters().eta, lane.proof().max_conformal_distortion,
+             record.mean_conformal_distortion, record.handle_error_squared});
+  text.append(",").append(convergence_letter(lane));
+  append_numbers(text, {record.factorizations, record.updates});
+  append_numbers(text, {record.seconds});
+  append_numbers(text, {record.flips, record.splits, lane.proof().inverted});
+  text += '\n';
+}
+
+}  // namespace
+
+std::string_view convergence_letter(const RaceLane& lane) {
+  if (!lane.is_at_end() || !lane.outcome()) return "–";
+  switch (*lane.outcome()) {
+    case Outcome::gradient: return "G";
+    case Outcome::step: return "S";
+    default: return "M";
+  }
+}
+
+std::string race_table_csv(const Race& race) {
+  std::string text(kTableColumns);
+  for (const auto& lane : race.lanes()) append_row(text, *lane, race.document());
+  return text;
+}
+
+std::string race_records_csv(const Race& race) {
+  std::string text = "lane," + iteration_columns() + '\n';
+  for (const auto& lane : race.lanes()) {
+    const std::size_t count = std::min(lane->records().size(), race.furthest());
+    for (std::size_t i = 0; i < count; ++i) {
+      text += csv_field(lane->title()) + ',';
+      append_iteration(text, lane->records()[i]);
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace foldless

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/editor/race.h"
+
+namespace foldless {
+
+/// The convergence information of the paper's Table 1: `G` gradient, `S` step, `M` not converged;
+/// `–` while the lane runs or when it failed.
+std::string_view convergence_letter(const RaceLane& lane);
+
+/// A row a lane, of the states that are shown: mesh and energy, method, δ, η, largest and mean
+/// conformal distortion, ‖P‖², convergence, H, U, seconds, flips, splits, inverted triangles.
+/// As the paper's Table 1.
+std::string race_table_csv(const Race& race);
+
+/// A row an iteration and lane, up to the furthest tick: the lane's title and the columns of
+/// iterations.csv.
+std::string race_records_csv(const Race& race);
+
+}  // namespace foldless

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/plot_axes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace foldless {
+namespace {
+
+/// The smallest of 1, 2, 5 times a power of ten that is not below `least`.
+double round_step(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least * (1 - 1e-9)) return factor * power;
+  return 10 * power;
+}
+
+std::string number_words(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+void fit_decades(PlotAxes& axes, const Plot& plot) {
+  std::vector<double> ends;
+  for (const PlotCurve& curve : plot.curves)
+    for (const double value : curve.values)
+      if (axes.is_drawable(value)) ends.push_back(value);
+  const DecadeRange range = decades_of(ends);
+  axes.low = range.low;
+  axes.high = range.high;
+}
+
+/// From zero, or from below where values are negative, to a little more than the largest.
+void fit_range(PlotAxes& axes, const Plot& plot) {
+  double high = 0;
+  for (const PlotCurve& curve : plot.curves)
+    for (const double value : curve.values) {
+      if (!std::isfinite(value)) continue;
+      axes.low = std::min(axes.low, value);
+      high = std::max(high, value);
+    }
+  axes.high = high > axes.low ? high : axes.low + 1;
+}
+
+}  // namespace
+
+float PlotAxes::x(std::size_t index) const {
+  const double last = static_cast<double>(std::max<std::size_t>(count, 2) - 1);
+  return min.x + static_cast<float>(static_cast<double>(index) / last) * (max.x - min.x);
+}
+
+float PlotAxes::y(double value) const {
+  const double place = ((is_logarithmic ? std::log10(value) : value) - low) / (high - low);
+  return max.y - static_cast<float>(place) * (max.y - min.y);
+}
+
+bool PlotAxes::is_drawable(double value) const {
+  return std::isfinite(value) && (!is_logarithmic || value > 0);
+}
+
+std::size_t PlotAxes::index_at(float x) const {
+  const float place = (x - min.x) / std::max(1.0F, max.x - min.x);
+  return static_cast<std::size_t>(
+      std::lround(std::clamp(place, 0.0F, 1.0F) * static_cast<float>(count - 1)));
+}
+
+std::vector<PlotTick> PlotAxes::ticks(float distance) const {
+  const double fit = std::max(1.0, std::floor(static_cast<double>((max.y - min.y) / distance)));
+  std::vector<PlotTick> ticks;
+  if (is_logarithmic) {
+    const int stride = static_cast<int>(std::ceil((high - low) / fit));
+    for (int e = static_cast<int>(low); e <= static_cast<int>(high); e += stride)
+      ticks.push_back({std::pow(10.0, e), power_of_ten(e)});
+    return ticks;
+  }
+  const double step = round_step((high - low) / fit);
+  for (double k = std::ceil(low / step); k * step <= high * (1 + 1e-9); ++k)
+    ticks.push_back({k * step, number_words(k * step)});
+  return ticks;
+}
+
+PlotAxes axes_of(const Plot& plot, const ImVec2& corner) {
+  const float line_height = plot.font->FontSize;
+  PlotAxes axes;
+  axes.min = {corner.x + line_height * 2.6F, corner.y + line_height * 1.6F};
+  axes.max = {corner.x + plot.size.x, corner.y + plot.size.y - line_height * 0.4F};
+  axes.is_logarithmic = plot.is_logarithmic;
+  for (const PlotCurve& curve : plot.curves) axes.count = std::max(axes.count, curve.values.size());
+  if (plot.is_logarithmic)
+    fit_decades(axes, plot);
+  else
+    fit_range(axes, plot);
+  return axes;
+}
+
+DecadeRange decades_of(std::span<const double> values) {
+  double low = INFINITY, high = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value) || value <= 0) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (high <= 0) return {};
+  const int bottom = static_cast<int>(std::floor(std::log10(low)));
+  const int top = static_cast<int>(std::ceil(std::log10(high)));
+  return {bottom, std::max(top, bottom + 1)};
+}
+
+std::string power_of_ten(int exponent) {
+  static constexpr std::array kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent)))
+    text += kDigits[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
+}  // namespace foldless

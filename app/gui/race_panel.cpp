@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/race_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "app/gui/race_layout.h"
+#include "app/gui/view_pane.h"
+#include "app/gui/widgets.h"
+#include "core/method/methods.h"
+
+namespace foldless {
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+bool begin_part(const char* id, const Rectangle& place, const Look& look) {
+  ImGui::SetNextWindowPos({place.x, place.y});
+  ImGui::SetNextWindowSize({place.width, place.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(10), look.px(7)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2{1, 1});
+  const bool is_visible = ImGui::Begin(id, nullptr, kFixed);
+  ImGui::PopStyleVar(2);
+  return is_visible;
+}
+
+void draw_varied(Race& race, const Look& look) {
+  const ParameterRow* varied = race.setup().varied;
+  ImGui::SetNextItemWidth(look.px(190));
+  if (ImGui::BeginCombo("##varied", varied ? varied->title.data() : "Methods")) {
+    if (ImGui::Selectable("Methods", !varied)) race.set_setup(method_race(race.document()));
+    for (const ParameterRow& row : parameter_rows())
+      if (ImGui::Selectable(row.title.data(), varied == &row))
+        race.set_setup(parameter_race(row, race.document()));
+    ImGui::EndCombo();
+  }
+  tooltip("What the lanes differ in: the method, or one number of the solver.", look);
+}
+
+void draw_lane_count(Race& race, const Look& look) {
+  const std::size_t count = race.lanes().size();
+  ImGui::BeginDisabled(count <= kFewestLanes);
+  if (ImGui::Button("–##fewer")) race.set_setup(without_lane(race.setup()));
+  ImGui::EndDisabled();
+  tooltip("One lane less.", look);
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::Text("%zu lanes", count);
+  ImGui::SameLine();
+  ImGui::BeginDisabled(count >= kMostLanes);
+  if (ImGui::Button("+##more")) race.set_setup(with_lane(race.setup()));
+  ImGui::EndDisabled();
+  tooltip("One lane more.", look);
+}
+
+void draw_start(Race& race, const Look& look) {
+  static constexpr std::array kStarts{"From the mesh at rest", "From the present mesh"};
+  const std::size_t present = race.setup().starts_at_rest ? 0 : 1;
+  ImGui::SetNextItemWidth(look.px(176));
+  if (ImGui::BeginCombo("##start", kStarts[present])) {
+    for (std::size_t i = 0; i < kStarts.size(); ++i)
+      if (ImGui::Selectable(kStarts[i], i == present) && i != present) {
+        RaceSetup setup = race.setup();
+        setup.starts_at_rest = i == 0;
+        race.set_setup(setup);
+      }
+    ImGui::EndCombo();
+  }
+  tooltip("The mesh that every lane starts from. The targets are the same in any case.", look);
+}
+
+/// Puts the next item on this line, or on the next when it has no room here.
+void same_line_if_fits(float width) {
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+void draw_setup(Editor& editor, const PanelContext& context, const Rectangle& place) {
+  const Look& look = context.look;
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette->bar);
+  if (begin_part("##race setup", place, look)) {
+    Race& race = editor.race();
+    draw_varied(race, look);
+    ImGui::SameLine();
+    draw_lane_count(race, look);
+    same_line_if_fits(look.px(180));
+    draw_start(race, look);
+    same_line_if_fits(look.px(60));
+    if (ImGui::Button("Again")) editor.run_command("race.restart");
+    tooltip("Starts all lanes again (Shift+M).", look);
+    same_line_if_fits(look.px(60));
+    if (main_button("Close", look)) editor.run_command("race.toggle");
+    tooltip("Back to the document, which the race has not touched (Esc).", look);
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+void choose_method(Race& race, std::size_t lane) {
+  const RaceSetup& setup = race.setup();
+  if (!ImGui::BeginCombo("##method", race.lanes()[lane]->title().c_str())) return;
+  for (const MethodRow& row : methods())
+    if (ImGui::Selectable(row.title.data(), setup.methods[lane] == row.name)) {
+      RaceSetup changed = setup;
+      changed.methods[lane] = row.name;
+      race.set_setup(changed);
+    }
+  ImGui::EndCombo();
+}
+
+void choose_value(Race& race, std::size_t lane) {
+  const ParameterRow& row = *race.setup().varied;
+  double value = race.setup().values[lane];
+  ImGui::InputDouble("##value", &value, 0, 0, "%.6g");
+  if (!ImGui::IsItemDeactivatedAfterEdit() || std::isnan(value)) return;
+  RaceSetup changed = race.setup();
+  changed.values[lane] = std::clamp(value, row.minimum, row.maximum);
+  race.set_setup(changed);
+}
+
+/// The lane's line, as in the plots.
+void draw_sample(const Race& race, std::size_t lane, const Look& look) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float middle = corner.y + ImGui::GetFrameHeight() / 2;
+  draw_line_sample(curve_of_lane(race, lane, *look.palette), {corner.x, middle},
+                   {corner.x + look.px(28), middle}, look.px(2));
+  ImGui::Dummy({look.px(28), ImGui::GetFrameHeight()});
+  ImGui::SameLine();
+}
+
+void draw_choice(Editor& editor, std::size_t lane, const Look& look) {
+  Race& race = editor.race();
+  draw_sample(race, lane, look);
+  const float use = look.px(46);
+  ImGui::SetNextItemWidth(std::max(look.px(40), ImGui::GetContentRegionAvail().x - use));
+  if (race.setup().varied)
+    choose_value(race, lane);
+  else
+    choose_method(race, lane);
+  tooltip(race.setup().varied ? "The lane's value of “" + std::string(race.setup().varied->title) +
+                                    "”. Enter starts all lanes again."
+                              : std::string("The lane's method; all lanes start again."),
+          look);
+}
+
+/// True when the user wants what the lane shows.
+bool draw_use_button(const RaceLane& lane, const Look& look) {
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!lane.proof().holds());
+  const bool is_pressed = ImGui::Button("Use");
+  ImGui::EndDisabled();
+  tooltip(lane.proof().holds()
+              ? "Takes this mesh, and how it was made, into the document: one undo step."
+              : "This map folds; the editor keeps to maps that do not.",
+          look);
+  return is_pressed;
+}
+
+void draw_numbers(const RaceLane& lane, const Look& look) {
+  const Iteration record = lane.record() ? *lane.record() : Iteration{};
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "H/U %d/%d  ·  ‖P‖² %.2g  ·  %d inverted",
+                record.factorizations, record.updates, record.handle_error_squared,
+                lane.proof().inverted);
+  if (lane.proof().holds()) return dim_text(text.data(), look);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImGui::PushFont(look.fonts.small);
+  const ImVec2 size = ImGui::CalcTextSize(text.data());
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      {low.x - look.px(4), low.y - look.px(1)},
+      {low.x + size.x + look.px(4), low.y + size.y + look.px(1)}, packed(look.palette->caution),
+      look.px(3));
+  ImGui::TextColored(look.palette->on_caution, "%s", text.data());
+  ImGui::PopFont();
+  tooltip(fold_words(lane.proof()), look);
+}
+
+/// Returns whether the lane's mesh is to be used.
+bool draw_head(Editor& editor, std::size_t index, const RaceLayout::Lane& place,
+               const PanelContext& context) {
+  const Look& look = context.look;
+  const RaceLane& lane = *editor.race().lanes()[index];
+  bool is_used = false;
+  if (begin_part(("##race head " + std::to_string(index)).c_str(), place.head, look)) {
+    draw_choice(editor, index, look);
+    // The choice may have started the race again, with other lanes.
+    if (index < editor.race().lanes().size() && editor.race().lanes()[index].get() == &lane) {
+      is_used = draw_use_button(lane, look);
+      const bool is_good = lane.is_at_end() && lane.is_at_targets();
+      const ImVec4& colour = is_good            ? look.palette->good
+                             : lane.is_at_end() ? look.palette->warning
+                                                : look.palette->text;
+      ImGui::TextColored(colour, "%s", lane.words().c_str());
+      tooltip(lane.words(), look);
+      draw_numbers(lane, look);
+    }
+  }
+  ImGui::End();
+  return is_used;
+}
+
+void draw_view(Editor& editor, std::size_t index, const RaceLayout::Lane& place, const Look& look) {
+  Race& race = editor.race();
+  const PaneInput input =
+      view_pane(("##race view " + std::to_string(index)).c_str(), place.view, race.canvas());
+  if (input.camera) {
+    race.set_camera(*input.camera);
+    editor.redraw();
+  }
+  if (index == 0) return;
+  const float x = place.view.x - look.px(1);
+  ImGui::GetBackgroundDrawList()->AddLine({x, place.head.y}, {x, place.view.y + place.view.height},
+                                          packed(look.palette->border), look.px(2));
+}
+
+}  // namespace
+
+PlotCurve curve_of_lane(const Race& race, std::size_t lane, const Palette& palette) {
+  PlotCurve curve;
+  curve.name = race.lanes()[lane]->title();
+  curve.colour = palette.series[lane % palette.series.size()];
+  curve.style = static_cast<LineStyle>(lane % 4);
+  return curve;
+}
+
+void draw_race_panel(Editor& editor, const PanelContext& context) {
+  const RaceLayout layout =
+      race_layout_for(context.layout.canvas, editor.race().lanes().size(), context.look.scale);
+  std::optional<std::size_t> used;
+  for (std::size_t i = 0; i < layout.lanes.size(); ++i) {
+    draw_view(editor, i, layout.lanes[i], context.look);
+    if (i < editor.race().lanes().size() && draw_head(editor, i, layout.lanes[i], context))
+      used = i;
+  }
+  draw_race_results(editor, context, layout.results);
+  draw_setup(editor, context, layout.setup);
+  if (used) editor.use_race_lane(*used);
+}
+
+}  // namespace foldless

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "app/editor/convergence.h"
+#include "app/editor/race_table.h"
+#include "app/gui/race_panel.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+namespace {
+
+void number_cell(const char* format, double value) {
+  ImGui::TableNextColumn();
+  ImGui::Text(format, value);
+}
+
+void name_cell(const Race& race, std::size_t index, const Look& look) {
+  ImGui::TableNextColumn();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float middle = corner.y + ImGui::GetTextLineHeight() / 2;
+  draw_line_sample(curve_of_lane(race, index, *look.palette), {corner.x, middle},
+                   {corner.x + look.px(22), middle}, look.px(1.6F));
+  ImGui::Dummy({look.px(22), 1});
+  ImGui::SameLine();
+  ImGui::TextUnformatted(race.lanes()[index]->title().c_str());
+  tooltip(race.lanes()[index]->title(), look);
+}
+
+void draw_row(const Race& race, std::size_t index, const Look& look) {
+  const RaceLane& lane = *race.lanes()[index];
+  const Iteration record = lane.record() ? *lane.record() : Iteration{};
+  ImGui::TableNextRow();
+  name_cell(race, index, look);
+  ImGui::TableNextColumn();
+  ImGui::Text("%.3g / %.3g", lane.proof().max_conformal_distortion,
+              record.mean_conformal_distortion);
+  number_cell("%.2g", record.handle_error_squared);
+  ImGui::TableNextColumn();
+  const std::string letter(convergence_letter(lane));
+  ImGui::TextUnformatted(letter.c_str());
+  ImGui::TableNextColumn();
+  ImGui::Text("%d/%d", record.factorizations, record.updates);
+  number_cell("%.3f", record.seconds);
+}
+
+/// A column with its explanation under the mouse.
+struct Column {
+  const char* title;
+  const char* tip;
+  float weight;
+};
+
+constexpr std::array<Column, 6> kColumns{{
+    {"Lane", "", 3.2F},
+    {"M/A", "Largest and mean conformal distortion σ₁/σ₂.", 1.4F},
+    {"‖P‖²", "Squared distance of the handles to their targets.", 1},
+    {"CI", "How it ended: G by the gradient, S by the step, M not converged.", 0.5F},
+    {"H/U", "Factorizations of the Hessian and updates of the vertices.", 1},
+    {"s", "Seconds of processor time.", 0.8F},
+}};
+
+void draw_header(const Look& look) {
+  for (const Column& column : kColumns)
+    ImGui::TableSetupColumn(column.title, ImGuiTableColumnFlags_WidthStretch, column.weight);
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (const Column& column : kColumns) {
+    ImGui::TableNextColumn();
+    ImGui::TableHeader(column.title);
+    tooltip(column.tip, look);
+  }
+}
+
+void draw_exports(Editor& editor, const Look& look) {
+  if (ImGui::Button("Table CSV…")) editor.run_command("file.export_table");
+  tooltip("Writes this table to a file, as the paper's Table 1.", look);
+  ImGui::SameLine();
+  if (ImGui::Button("CSV…")) editor.run_command("file.export_csv");
+  tooltip("Writes every iteration of every lane to a file.", look);
+  ImGui::SameLine();
+  if (ImGui::Button("SVG…")) editor.run_command("file.export_svg");
+  tooltip("Draws the curves into a file, as the paper's Figure 13.", look);
+}
+
+void draw_table(Editor& editor, const Look& look) {
+  ImGui::PushFont(look.fonts.small);
+  if (ImGui::BeginTable("table", static_cast<int>(kColumns.size()),
+                        ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp)) {
+    draw_header(look);
+    for (std::size_t i = 0; i < editor.race().lanes().size(); ++i) draw_row(editor.race(), i, look);
+    ImGui::EndTable();
+  }
+  ImGui::PopFont();
+  ImGui::Spacing();
+  draw_exports(editor, look);
+}
+
+void draw_one_plot(const ConvergenceSeries& series, Editor& editor, const Look& look,
+                   const ImVec2& size) {
+  Race& race = editor.race();
+  std::vector<PlotCurve> curves;
+  for (std::size_t i = 0; i < race.lanes().size(); ++i) {
+    curves.push_back(curve_of_lane(race, i, *look.palette));
+    curves.back().values = values_of(series, race.lanes()[i]->records(), race.furthest());
+  }
+  std::optional<std::size_t> cursor;
+  if (race.tick() > 0) cursor = race.tick() - 1;
+  const auto chosen = draw_plot({series.name.data(), series.title.data(), curves,
+                                 series.is_logarithmic, cursor, size, look.fonts.small},
+                                *look.palette);
+  if (chosen) race.scrub(*chosen + 1);
+}
+
+/// Four plots, two a row where they have room.
+void draw_plots(Editor& editor, const Look& look, const ImVec2& room) {
+  static constexpr std::array<std::string_view, 4> kShown{"energy", "gradient", "residual",
+                                                          "distortion"};
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 size{(room.x - gap) / 2,
+                    std::max(look.px(72), (room.y - ImGui::GetStyle().ItemSpacing.y) / 2)};
+  std::size_t drawn = 0;
+  for (const ConvergenceSeries& series : convergence_series()) {
+    if (std::ranges::find(kShown, series.name) == kShown.end()) continue;
+    if (drawn++ % 2 == 1) ImGui::SameLine();
+    draw_one_plot(series, editor, look, size);
+  }
+}
+
+}  // namespace
+
+void draw_race_results(Editor& editor, const PanelContext& context, const Rectangle& place) {
+  const Look& look = context.look;
+  ImGui::SetNextWindowPos({place.x, place.y});
+  ImGui::SetNextWindowSize({place.width, place.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2{1, 1});
+  if (ImGui::Begin("##race results", nullptr,
+                   ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                       ImGuiWindowFlags_NoBringToFrontOnFocus)) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    if (place.width > look.px(820)) {
+      const float plots = std::round(room.x * 0.58F);
+      ImGui::BeginChild("plots", {plots, 0});
+      draw_plots(editor, look, ImGui::GetContentRegionAvail());
+      ImGui::EndChild();
+      ImGui::SameLine(0, look.px(16));
+      ImGui::BeginChild("table");
+      draw_table(editor, look);
+      ImGui::EndChild();
+    } else {
+      draw_table(editor, look);
+      draw_plots(editor, look, {room.x, 0});
+    }
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace foldless

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scenes.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/canvas_picture.h"
+#include "app/gui/race_layout.h"
+#include "core/error.h"
+#include "render/theme.h"
+
+namespace foldless {
+namespace {
+
+Viewport viewport_of(const Rectangle& place, Extent framebuffer) {
+  return {static_cast<int>(place.x), framebuffer.height - static_cast<int>(place.y + place.height),
+          std::max(1, static_cast<int>(place.width)), std::max(1, static_cast<int>(place.height))};
+}
+
+/// Targets belong to the deformed mesh.
+Snapshot with_targets_at_rest(Snapshot snapshot) {
+  for (Handle& handle : snapshot.handles) handle.target = snapshot.rest->col(handle.vertex);
+  return snapshot;
+}
+
+/// One scale for all lanes, so that their colours can be compared.
+std::optional<HeatRange> common_range(const Race& race, HeatMeasure measure) {
+  std::optional<HeatRange> common;
+  for (const auto& lane : race.lanes()) {
+    const HeatRange range = distortion_of(*lane->shown(), measure).range;
+    if (!common) common = range;
+    common->min = std::min(common->min, range.min);
+    common->max = std::max(common->max, range.max);
+  }
+  return common;
+}
+
+}  // namespace
+
+void Scenes::draw(Editor& editor, const Layout& layout, Extent framebuffer) {
+  follow_texture(editor);
+  const glm::vec4 background = canvas_colours(editor.view().theme).background;
+  glViewport(0, 0, framebuffer.width, framebuffer.height);
+  glDisable(GL_SCISSOR_TEST);
+  glClearColor(background.r, background.g, background.b, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  heat_range_.reset();
+  if (editor.race().is_open())
+    draw_race(editor, layout, framebuffer);
+  else if (editor.shown())
+    draw_document(editor, layout, framebuffer);
+}
+
+void Scenes::draw_document(const Editor& editor, const Layout& layout, Extent framebuffer) {
+  const Snapshot& shown = *editor.shown();
+  SceneView view = scene_view(editor, 0, 0);
+  ViewOptions options = editor.shown_view();
+  if (editor.remesh_diff().is_shown()) {
+    SceneView beside = view;
+    beside.viewport = viewport_of(layout.rest, framebuffer);
+    beside.camera = editor.remesh_diff().pane().camera;
+    options.pose = Pose::rest;
+    canvas_.draw(with_targets_at_rest(shown), beside, options);
+    options.pose = Pose::deformed;
+  }
+  view.viewport = viewport_of(layout.canvas, framebuffer);
+  canvas_.draw(shown, view, options);
+  heat_range_ = canvas_.heat_range();
+}
+
+void Scenes::draw_race(const Editor& editor, const Layout& layout, Extent framebuffer) {
+  const Race& race = editor.race();
+  while (lanes_.size() < race.lanes().size()) {
+    lanes_.push_back(std::make_unique<SceneRenderer>());
+    if (image_) lanes_.back()->set_texture(*image_);
+  }
+  ViewOptions options = editor.shown_view();
+  options.ui_scale = race.canvas().ui_scale;
+  if (options.layers.heat) heat_range_ = common_range(race, options.heat_measure);
+  if (heat_range_) options.heat_scale = {heat_range_->min, heat_range_->max};
+  const RaceLayout places = race_layout_for(layout.canvas, race.lanes().size(),
+                                            static_cast<float>(race.canvas().ui_scale));
+  for (std::size_t i = 0; i < race.lanes().size(); ++i) {
+    SceneView view;
+    view.viewport = viewport_of(places.lanes[i].view, framebuffer);
+    view.camera = race.canvas().camera;
+    lanes_[i]->draw(*race.lanes()[i]->shown(), view, options);
+  }
+}
+
+void Scenes::follow_texture(Editor& editor) {
+  const std::filesystem::path wanted = editor.document().texture;
+  if (wanted == texture_) return;
+  texture_ = wanted;
+  image_.reset();
+  canvas_.clear_texture();
+  for (const auto& lane : lanes_) lane->clear_texture();
+  if (wanted.empty()) return;
+  try {
+    image_ = load_image(wanted);
+    canvas_.set_texture(*image_);
+    for (const auto& lane : lanes_) lane->set_texture(*image_);
+  } catch (const Error& error) {
+    editor.toast(ToastKind::error, error.what());
+  }
+}
+
+}  // namespace foldless

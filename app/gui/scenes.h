@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/editor/editor.h"
+#include "app/gui/extent.h"
+#include "app/gui/layout.h"
+#include "render/scene_renderer.h"
+
+namespace foldless {
+
+/// The meshes under the panels: of the canvas, of the pane beside it, and of the lanes of a race.
+/// Every function needs the GL context of the constructor.
+class Scenes {
+ public:
+  /// Clears the framebuffer and draws what is in sight.
+  void draw(Editor& editor, const Layout& layout, Extent framebuffer);
+  /// The scale of the heat map on screen; nothing when that layer is off.
+  const std::optional<HeatRange>& heat_range() const { return heat_range_; }
+  /// Of the canvas.
+  SceneRenderer& canvas_renderer() { return canvas_; }
+
+ private:
+  void follow_texture(Editor& editor);
+  void draw_document(const Editor& editor, const Layout& layout, Extent framebuffer);
+  void draw_race(const Editor& editor, const Layout& layout, Extent framebuffer);
+
+  SceneRenderer canvas_;
+  /// One a lane: each keeps its mesh on the graphics card.
+  std::vector<std::unique_ptr<SceneRenderer>> lanes_;
+  std::filesystem::path texture_;  ///< that they show
+  std::optional<Image> image_;     ///< of that file
+  std::optional<HeatRange> heat_range_;
+};
+
+}  // namespace foldless
