@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/gui/samples.h"
+#include "core/data_path.h"
 #include "tests/app/gui/headless_editor.h"
 
 namespace foldless::test {
@@ -99,6 +100,66 @@ void draw_all(const std::filesystem::path& folder) {
   draw_dialogs(headless, folder);
 }
 
+/// Rest and deformed mesh side by side, and a race, of a sample in every theme.
+void draw_comparisons(const std::filesystem::path& folder) {
+  HeadlessEditor headless;
+  const auto shoot = [&](const std::string& name) {
+    headless.settle();
+    save_png(folder / name, headless.picture());
+  };
+  headless.editor().open_sample(data_path("assets/scenes/figure3_flipped_edges.json"));
+  headless.settle();
+  headless.editor().toggle_pause();
+  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  const Theme themes[] = {Theme::dark, Theme::light, Theme::contrast};
+  const char* names[] = {"dark", "light", "contrast"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    headless.ui().settings().theme = themes[i];
+    headless.key(Key::d);
+    const Rectangle& rest = headless.ui().layout().rest;
+    headless.move({rest.x + rest.width * 0.7, rest.y + rest.height * 0.5});
+    shoot(std::string("diff-") + names[i] + ".png");
+    headless.key(Key::d);
+    headless.editor().view().layers.heat = i == 0;
+    headless.key(Key::m);
+    headless.wait_until([&] { return headless.editor().race().is_finished(); }, 20);
+    headless.move({200, 600});
+    shoot(std::string("race-") + names[i] + ".png");
+    headless.key(Key::m);
+  }
+  headless.ui().settings().scale = 2;
+  headless.key(Key::d);
+  shoot("diff-narrow-200.png");
+  headless.key(Key::d);
+  headless.key(Key::m);
+  headless.wait_until([&] { return headless.editor().race().is_finished(); }, 20);
+  shoot("race-narrow-200.png");
+}
+
+/// A handle that cannot get through, and what the editor says to it.
+void draw_stuck(const std::filesystem::path& folder) {
+  HeadlessEditor headless;
+  headless.editor().open_sample(data_path("assets/scenes/figure1_blocked_edge.json"));
+  Document document = start_of_race(headless.editor().document(), true);
+  document.parameters.method = "paper-noflip";
+  headless.editor().begin_edit();
+  headless.editor().apply(document, Change::mesh);
+  headless.editor().commit("Without flips");
+  headless.wait_until([&] { return headless.editor().stuck_handle() != nullptr; }, 20);
+  headless.calm_down();
+  save_png(folder / "stuck-dark.png", headless.picture());
+  headless.ui().settings().theme = Theme::light;
+  headless.ui().settings().scale = 2;
+  headless.settle();
+  save_png(folder / "stuck-light-200.png", headless.picture());
+  headless.ui().settings().scale = 1;
+  headless.settle();
+  headless.key(Key::f, {.shift = true});
+  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  headless.calm_down();
+  save_png(folder / "stuck-flipped.png", headless.picture());
+}
+
 void draw_hidpi(const std::filesystem::path& folder) {
   HeadlessEditor headless({2560, 1600});
   headless.set_content_scale(2);
@@ -122,6 +183,8 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(argv[1]);
     foldless::test::draw_all(argv[1]);
     foldless::test::draw_hidpi(argv[1]);
+    foldless::test::draw_comparisons(argv[1]);
+    foldless::test::draw_stuck(argv[1]);
   } catch (const std::exception& error) {
     std::cerr << "editor_pictures: " << error.what() << '\n';
     return EXIT_FAILURE;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "app/editor/editor.h"
@@ -26,6 +27,8 @@ class HeadlessEditor {
   void settle();
   /// Draws until `done`, at most `seconds` of real time. False when it never was.
   bool wait_until(const std::function<bool()>& done, double seconds = 60);
+  /// Seconds until the interface wants another frame; nothing: not until something happens.
+  std::optional<double> next_frame() const { return ui_.next_frame(editor_, time_); }
   /// Lets messages go away and the pointer leave, so that nothing but the document is on screen.
   void calm_down();
 

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rest and deformed mesh side by side, and the race: the whole editor off screen.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+#include "app/editor/edits.h"
+#include "app/gui/race_layout.h"
+#include "core/atomic_file.h"
+#include "core/mesh/generate.h"
+#include "render/theme.h"
+#include "tests/app/gui/headless_editor.h"
+#include "tests/support/temporary_folder.h"
+
+namespace foldless::test {
+namespace {
+
+constexpr Modifiers kControl{.control = true};
+
+/// A bar that is bent so far that edges flip.
+class Compare : public testing::Test {
+ protected:
+  /// Without a frame in between, which would take longer than solving.
+  Compare() {
+    editor().open_shape(bar(4, 1, 5), "bar");
+    Document document = editor().document();
+    for (const int vertex : {2 * 21, 2 * 21 + 20})
+      document = place_handle(document, {.vertex = vertex}).document;
+    document = with_targets(document, {{1, Vec2(2, 2.5)}});
+    editor().begin_edit();
+    editor().apply(document, Change::mesh);
+    editor().commit("Bend");
+    while (editor().update(0), editor().is_solving())
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    headless_.settle();
+  }
+
+  Editor& editor() { return headless_.editor(); }
+  static Vec2 middle(const Rectangle& r) { return {r.x + r.width / 2, r.y + r.height / 2}; }
+  Vec2 rest_point(int vertex) {
+    const Rectangle& pane = headless_.ui().layout().rest;
+    return editor().remesh_diff().pane().to_pixel(editor().shown()->rest->col(vertex)) +
+           Vec2(pane.x, pane.y);
+  }
+  /// Pixels in a rectangle that are as good as a colour.
+  int pixels_of(const glm::vec4& colour, const Rectangle& place) {
+    const Image picture = headless_.picture();
+    int count = 0;
+    for (int y = static_cast<int>(place.y); y < static_cast<int>(place.y + place.height); ++y)
+      for (int x = static_cast<int>(place.x); x < static_cast<int>(place.x + place.width); ++x) {
+        const std::uint8_t* p = picture.at(x, y);
+        int most = 0;
+        for (int c = 0; c < 3; ++c)
+          most = std::max(most, std::abs(p[c] - static_cast<int>(255 * colour[c] + 0.5F)));
+        count += most <= 8;
+      }
+    return count;
+  }
+
+  HeadlessEditor headless_{{640, 400}};
+};
+
+TEST_F(Compare, ShowsFlippedEdgesInBothPanes) {
+  ASSERT_FALSE(editor().shown()->flipped_edges->empty());
+  headless_.key(Key::d);
+  const Layout& layout = headless_.ui().layout();
+  ASSERT_GT(layout.rest.width, 100);
+  const glm::vec4& blue = canvas_colours(Theme::dark).flipped;
+  EXPECT_GT(pixels_of(blue, layout.rest), 30);
+  EXPECT_GT(pixels_of(blue, layout.canvas), 30);
+  headless_.key(Key::d);
+  EXPECT_EQ(layout.rest.width, 0);
+  EXPECT_EQ(pixels_of(blue, layout.canvas), 0);
+}
+
+TEST_F(Compare, PointingInOnePaneMarksTheSameVertexInTheOther) {
+  headless_.key(Key::d);
+  headless_.calm_down();
+  const Image before = headless_.canvas_picture();
+  const int vertex = 12;
+  headless_.move(rest_point(vertex));
+  const Image after = headless_.canvas_picture();
+  const Vec2 mark = editor().canvas().to_pixel(headless_.position(vertex));
+  int inside = 0, outside = 0;
+  for (int y = 0; y < after.height; ++y)
+    for (int x = 0; x < after.width; ++x) {
+      const bool differs = std::memcmp(before.at(x, y), after.at(x, y), 4) != 0;
+      (((Vec2(x, y) - mark).norm() < 14) ? inside : outside) += differs;
+    }
+  EXPECT_GT(inside, 30) << "a ring round the vertex";
+  EXPECT_EQ(outside, 0) << "and nothing else";
+}
+
+TEST_F(Compare, DraggingTheRestPaneMovesBothOrOne) {
+  headless_.key(Key::d);
+  const Camera canvas = editor().canvas().camera;
+  const Vec2 from(headless_.ui().layout().rest.x + 20, headless_.ui().layout().rest.y + 60);
+  const auto drag = [&] {
+    headless_.press(from);
+    headless_.move(from + Vec2(40, 10));
+    headless_.release(from + Vec2(40, 10));
+  };
+  drag();
+  EXPECT_NEAR(editor().canvas().camera.centre.x, canvas.centre.x - 40 / canvas.pixels_per_unit,
+              1e-9);
+  headless_.key(Key::d, {.shift = true});
+  const Camera moved = editor().canvas().camera;
+  drag();
+  EXPECT_EQ(editor().canvas().camera, moved);
+  EXPECT_EQ(editor().document().handles.size(), 2U) << "the rest pane is for looking only";
+}
+
+TEST_F(Compare, HandlesAreDraggedBesideTheRestMesh) {
+  editor().toggle_remesh_diff();
+  headless_.settle();
+  const Points before = editor().shown()->deformed;
+  const Vec2 from = headless_.window_point(editor().document().handles[1].target);
+  headless_.press(from);
+  headless_.move(from + Vec2(10, 20));
+  headless_.release(from + Vec2(10, 20));
+  headless_.wait_until([this] { return !editor().is_solving(); });
+  EXPECT_NE(editor().shown()->deformed, before);
+}
+
+TEST_F(Compare, RacesWithTheKeyboardAndClosesUntouched) {
+  const auto pose = editor().document().pose;
+  headless_.calm_down();
+  const Image before = headless_.picture();
+  headless_.key(Key::m);
+  ASSERT_TRUE(editor().race().is_open());
+  ASSERT_TRUE(headless_.wait_until([this] { return editor().race().is_finished(); }));
+  const auto layout =
+      race_layout_for(headless_.ui().layout().canvas, editor().race().lanes().size(), 1);
+  for (const auto& lane : layout.lanes) {
+    const Rectangle inner{lane.view.x + 4, lane.view.y + 4, lane.view.width - 8,
+                          lane.view.height - 8};
+    EXPECT_LT(pixels_of(canvas_colours(Theme::dark).background, inner),
+              0.9 * static_cast<double>(inner.width) * static_cast<double>(inner.height))
+        << "a mesh is seen in every lane";
+  }
+  headless_.calm_down();
+  EXPECT_FALSE(headless_.next_frame()) << "a race that is over costs nothing";
+  headless_.key(Key::escape);
+  headless_.calm_down();
+  EXPECT_FALSE(editor().race().is_open());
+  EXPECT_EQ(editor().document().pose, pose);
+  EXPECT_EQ(differing_pixels(before, headless_.picture()), 0);
+}
+
+TEST_F(Compare, LanesAreMovedAndZoomedTogether) {
+  headless_.key(Key::m);
+  const auto layout =
+      race_layout_for(headless_.ui().layout().canvas, editor().race().lanes().size(), 1);
+  const Camera before = editor().race().canvas().camera;
+  const Vec2 from = middle(layout.lanes.back().view);
+  headless_.press(from);
+  headless_.move(from + Vec2(30, 0));
+  headless_.release(from + Vec2(30, 0));
+  EXPECT_NEAR(editor().race().canvas().camera.centre.x,
+              before.centre.x - 30 / before.pixels_per_unit, 1e-9);
+  headless_.key(Key::home);
+  EXPECT_EQ(editor().document().handles.size(), 2U) << "no click reaches the document";
+}
+
+TEST_F(Compare, WritesItsTable) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "t.csv";
+  headless_.key(Key::m);
+  ASSERT_TRUE(headless_.wait_until([this] { return editor().race().is_finished(); }));
+  editor().run_command("file.export_table");
+  headless_.settle();
+  headless_.key(Key::a, kControl);
+  // All at once: a frame for every letter takes its time.
+  for (const char c : file.string())
+    headless_.ui().receive(CharacterTyped{static_cast<char32_t>(c)});
+  headless_.settle();
+  headless_.key(Key::enter);
+  headless_.settle();
+  EXPECT_TRUE(read_file(file).starts_with("lane,mesh,"));
+}
+
+TEST_F(Compare, TheBadgeTurnsYellowWhereAMapFolds) {
+  const glm::vec4 yellow(0xFF / 255.0F, 0xD8 / 255.0F, 0x4D / 255.0F, 1);
+  const Rectangle bar = headless_.ui().layout().status_bar;
+  EXPECT_EQ(pixels_of(yellow, bar), 0);
+  Document folded = editor().document();
+  auto pose = std::make_shared<Snapshot>(*folded.pose);
+  pose->deformed.col(12) += Vec2(3, 3);
+  folded.pose = pose;
+  folded.handles.clear();
+  editor().begin_edit();
+  editor().apply(folded, Change::appearance);
+  editor().commit("Fold");
+  headless_.calm_down();
+  ASSERT_FALSE(editor().proof().holds());
+  EXPECT_GT(pixels_of(yellow, bar), 1000);
+}
+
+}  // namespace
+}  // namespace foldless::test
