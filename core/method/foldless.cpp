@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless.h"
 
-#include <cmath>
+#include <utility>
 
+#include "core/method/foldless/transport_plans.h"
 #include "core/method/record.h"
-#include "core/method/satisfied.h"
 
 namespace foldless {
 namespace {
@@ -12,6 +12,7 @@ namespace {
 /// β per unit rest area: independent of the number of triangles, unlike the paper's.
 constexpr double kBeta = 5;
 constexpr double kShortestEdge = 1e-5;
+constexpr double kOffTarget = 1e-6;
 constexpr int kMostSplitRounds = 3;
 constexpr double kGainOfASplitRound = 0.9;
 
@@ -25,17 +26,20 @@ EnergySettings own_energy(const Problem& problem) {
   return settings;
 }
 
-Workspace workspace_of(Problem problem) {
+Workspace workspace_of(const MeshPair& mesh, const Problem& problem, const EnergySettings& energy) {
   Positions positions = positions_of(problem.handles);
-  NewtonSystem system(own_energy(problem), problem.mesh, positions);
-  return {std::move(problem.mesh), std::move(positions), std::move(system), problem.parameters.eta,
+  NewtonSystem system(energy, mesh, positions);
+  return {mesh, std::move(positions), std::move(system), problem.parameters.eta,
           problem.parameters.condition_test};
 }
 
 }  // namespace
 
 Foldless::Foldless(Problem problem)
-    : work_(workspace_of(std::move(problem))), stage_(Approach(work_)) {
+    : initial_(problem.mesh),
+      energy_(own_energy(problem)),
+      work_(workspace_of(problem.mesh, problem, energy_)),
+      stage_(Approach(work_)) {
   if (work_.system.objective().unknowns().count() == 0) outcome_ = Outcome::gradient;
 }
 
@@ -45,6 +49,7 @@ void Foldless::set_targets(const Points& targets) {
   work_.positions.targets = targets;
   stage_ = Approach(work_);
   split_rounds_ = 0;
+  plans_.clear();
   if (work_.system.objective().unknowns().count() > 0) outcome_.reset();
 }
 
@@ -58,34 +63,75 @@ std::optional<Iteration> Foldless::step(std::stop_token token) {
 }
 
 std::optional<Iteration> Foldless::advance(std::stop_token token) {
+  if (auto* stage = std::get_if<Approach>(&stage_)) return approach(*stage, token);
+  if (auto* stage = std::get_if<Attempt>(&stage_)) return transport(*stage, token);
+  return settle(std::get<Settle>(stage_), token);
+}
+
+std::optional<Iteration> Foldless::approach(Approach& stage, std::stop_token token) {
   VertexUpdate update;
-  if (auto* approach = std::get_if<Approach>(&stage_)) {
-    const Progress progress = approach->step(work_, token, update);
-    if (progress == Progress::cancelled) return std::nullopt;
-    const Iteration iteration = record(update, work_.positions, Phase::approach);
-    if (progress != Progress::running) after_approach(progress);
-    return iteration;
-  }
-  Settle& settle = std::get<Settle>(stage_);
-  const Progress progress = settle.step(work_, token, update);
+  const Progress progress = stage.step(work_, token, update);
   if (progress == Progress::cancelled) return std::nullopt;
-  const Iteration iteration = record(update, settle.positions(), Phase::settle);
+  Iteration iteration = record(work_, update, work_.positions);
+  iteration.phase = Phase::approach;
+  if (progress == Progress::arrived) stage_ = Settle(work_);
+  if (progress == Progress::locked) after_locked_approach();
+  return iteration;
+}
+
+std::optional<Iteration> Foldless::transport(Attempt& attempt, std::stop_token token) {
+  VertexUpdate update;
+  const Progress progress = attempt.transport.step(attempt.work, token, update);
+  if (progress == Progress::cancelled) return std::nullopt;
+  Iteration iteration = record(attempt.work, update, attempt.work.positions);
+  iteration.phase = Phase::transport;
+  if (progress == Progress::arrived) {
+    work_ = std::move(attempt.work);
+    work_.set_energy(energy_);
+    stage_ = Settle(work_);
+  } else if (progress == Progress::locked) {
+    work_.take_counts(attempt.work);
+    begin_next_transport();
+  }
+  return iteration;
+}
+
+std::optional<Iteration> Foldless::settle(Settle& stage, std::stop_token token) {
+  VertexUpdate update;
+  const Progress progress = stage.step(work_, token, update);
+  if (progress == Progress::cancelled) return std::nullopt;
+  Iteration iteration = record(work_, update, stage.positions());
+  iteration.phase = Phase::settle;
   if (progress != Progress::running) outcome_ = Outcome::gradient;
   return iteration;
 }
 
-void Foldless::after_approach(Progress progress) {
-  if (progress == Progress::arrived) {
-    stage_ = Settle(work_);
-    return;
-  }
+void Foldless::after_locked_approach() {
   const double error = work_.error();
   const bool may_split = split_rounds_ == 0 || error < kGainOfASplitRound * locked_error_;
   locked_error_ = error;
-  if (may_split && split_rounds_++ < kMostSplitRounds && split())
+  if (may_split && split_rounds_++ < kMostSplitRounds && split()) {
     stage_ = Approach(work_);
-  else
+    return;
+  }
+  const Points starts = held_where_they_are(work_.positions, initial_.rest()).targets;
+  plans_ = transport_plans(starts, work_.positions.targets);
+  next_plan_ = 0;
+  begin_next_transport();
+}
+
+void Foldless::begin_next_transport() {
+  if (next_plan_ >= plans_.size()) {
     outcome_ = Outcome::step;
+    return;
+  }
+  Workspace work = work_;
+  work.mesh = MeshPair(initial_.triangles(), initial_.rest());
+  work.curvature = {};
+  work.system.rebuild(work.mesh, work.positions, work.mesh.edge_count());
+  work.set_energy(Transport::energy(energy_.delta));
+  Transport stage(work, plans_[next_plan_++]);
+  stage_ = Attempt{std::move(work), std::move(stage)};
 }
 
 bool Foldless::split() {
@@ -94,20 +140,21 @@ bool Foldless::split() {
     const auto row = static_cast<std::size_t>(i);
     const int v = work_.positions.vertices[row];
     const Vec2 direction = work_.positions.targets.col(i) - work_.mesh.deformed().col(v);
-    if (!work_.positions.soft[row] && direction.norm() > 1e-6) directions.push_back({v, direction});
+    if (!work_.positions.soft[row] && direction.norm() > kOffTarget)
+      directions.push_back({v, direction});
   }
-  return work_.split_edges(directions, {.shortest_edge = kShortestEdge,
-                                        .delta = work_.system.objective().settings().delta}) > 0;
+  return work_.split_edges(directions, {.shortest_edge = kShortestEdge, .delta = energy_.delta}) >
+         0;
 }
 
-Iteration Foldless::record(const VertexUpdate& update, const Positions& positions, Phase phase) {
-  work_.system.assemble_gradient(work_.mesh.deformed(), positions);
-  Iteration iteration = record_of(update, work_.system, work_.mesh, work_.positions);
-  iteration.outer = split_rounds_;
+Iteration Foldless::record(Workspace& work, const VertexUpdate& update,
+                           const Positions& positions) {
+  work.system.assemble_gradient(work.mesh.deformed(), positions);
+  Iteration iteration = record_of(update, work.system, work.mesh, work.positions);
+  iteration.outer = split_rounds_ + static_cast<int>(next_plan_);
   iteration.inner = ++inner_;
-  iteration.phase = phase;
-  iteration.flips = work_.flips;
-  iteration.splits = work_.splits;
+  iteration.flips = work.flips;
+  iteration.splits = work.splits;
   return iteration;
 }
 

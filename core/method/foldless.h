@@ -5,6 +5,7 @@
 
 #include "core/method/foldless/approach.h"
 #include "core/method/foldless/settle.h"
+#include "core/method/foldless/transport.h"
 #include "core/method/method.h"
 
 namespace foldless {
@@ -12,6 +13,10 @@ namespace foldless {
 /// The project's own method: keeps the paper's idea, the tessellation as a degree of freedom, and
 /// replaces what holds it back. One vertex update a step. The problem's rest mesh has a
 /// bounding-box diagonal of about 1.
+///
+/// Approach → Settle where nothing blocks. A locked approach splits edges at the handles that are
+/// not home and begins again; when that gains no more, transports are tried on a second mesh while
+/// mesh() stays the best one so far.
 class Foldless final : public Method {
  public:
   explicit Foldless(Problem problem);
@@ -24,16 +29,30 @@ class Foldless final : public Method {
   StageTimes times() const override { return work_.system.times; }
 
  private:
+  /// A transport on a mesh of its own.
+  struct Attempt {
+    Workspace work;
+    Transport transport;
+  };
+
   std::optional<Iteration> advance(std::stop_token token);
-  Iteration record(const VertexUpdate& update, const Positions& positions, Phase phase);
-  void after_approach(Progress progress);
+  std::optional<Iteration> approach(Approach& stage, std::stop_token token);
+  std::optional<Iteration> transport(Attempt& attempt, std::stop_token token);
+  std::optional<Iteration> settle(Settle& stage, std::stop_token token);
+  Iteration record(Workspace& work, const VertexUpdate& update, const Positions& positions);
+  void after_locked_approach();
+  void begin_next_transport();
   bool split();
 
+  MeshPair initial_;  ///< where transports start: its rest state
+  EnergySettings energy_;
   Workspace work_;
-  std::variant<Approach, Settle> stage_;
+  std::variant<Approach, Attempt, Settle> stage_;
   std::optional<Outcome> outcome_;
   int inner_ = 0;
   int split_rounds_ = 0;
+  std::vector<TransportPlan> plans_;
+  std::size_t next_plan_ = 0;
   double locked_error_ = 0;  ///< ‖P‖² when the approach locked last
   double seconds_ = 0;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solve/descend.h"
 
+#include <algorithm>
+
 namespace foldless {
 namespace {
 
@@ -18,21 +20,37 @@ std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token to
   return std::nullopt;
 }
 
+constexpr int kMostFullStepsWanted = 8;
+
+void after_clamped(CurvatureChoice& choice, double step_length) {
+  choice.full_steps = step_length == 1 ? choice.full_steps + 1 : 0;
+  if (choice.full_steps >= choice.full_steps_wanted) choice.next = Curvature::exact;
+}
+
+void after_failure(CurvatureChoice& choice) {
+  choice.next = Curvature::clamped;
+  choice.full_steps = 0;
+  choice.full_steps_wanted = std::min(2 * choice.full_steps_wanted, kMostFullStepsWanted);
+}
+
 }  // namespace
 
 VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
-                     Curvature& curvature, std::stop_token token) {
-  if (curvature == Curvature::exact) {
+                     CurvatureChoice& choice, std::stop_token token) {
+  if (choice.next == Curvature::exact) {
     system.assemble(mesh.deformed(), positions);
-    if (system.factorize(0)) return move_vertices(system, mesh, positions, 0);
+    if (system.factorize(0)) {
+      choice.full_steps_wanted = 1;
+      return move_vertices(system, mesh, positions, 0);
+    }
     if (token.stop_requested()) return {.cancelled = true};
-    curvature = Curvature::clamped;
+    after_failure(choice);
   }
   system.assemble(mesh.deformed(), positions, Curvature::clamped);
   const std::optional<double> mu = factorize_clamped(system, token);
   if (!mu) return {.cancelled = token.stop_requested()};
   const VertexUpdate update = move_vertices(system, mesh, positions, *mu);
-  if (update.step_length == 1) curvature = Curvature::exact;
+  after_clamped(choice, update.step_length);
   return update;
 }
 

@@ -7,11 +7,19 @@
 
 namespace foldless {
 
+/// Which ∇²E the next step of descend() begins with. Where the exact one was not positive definite,
+/// it is tried again after so many full steps with the clamped one, twice as many each time it
+/// fails again.
+struct CurvatureChoice {
+  Curvature next = Curvature::exact;
+  int full_steps = 0;         ///< with the clamped ∇²E since the exact one was tried
+  int full_steps_wanted = 1;  ///< before it is tried again
+};
+
 /// One step of Newton's method without damping: with the exact ∇²E where that is positive definite,
-/// else with the curvature of every element clamped. `curvature` is remembered from step to step:
-/// after a clamped one the exact ∇²E is tried again only when a full step was possible. Moves the
-/// deformed positions of `mesh`; they stay feasible on the whole way. Counts H and U.
+/// else with the curvature of every element clamped. Moves the deformed positions of `mesh`; they
+/// stay feasible on the whole way. Counts H and U.
 VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
-                     Curvature& curvature, std::stop_token token);
+                     CurvatureChoice& choice, std::stop_token token);
 
 }  // namespace foldless

@@ -11,10 +11,10 @@ constexpr double kLastAlpha = 5e7;
 /// A stage of α has done its work when no vertex moves more than this, or when the model promises
 /// less than this part of E.
 constexpr double kSmallStep = 1e-3;
-constexpr double kSmallDecrement = 1e-3;
+constexpr double kSmallDecrement = 1e-2;
 
 /// ‖P‖²/D² from which the handles may be put on their targets by themselves.
-constexpr double kNearEnough = 1e-6;
+constexpr double kNearEnough = 1e-4;
 
 constexpr int kMostMultiplierSteps = 8;
 constexpr double kMultipliersBelow = 1e-5;

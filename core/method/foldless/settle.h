@@ -16,9 +16,10 @@ class Settle {
   const Positions& positions() const { return held_; }
 
  private:
+  double energy_of(const Workspace& workspace) const;
+
   Positions held_;
   int steps_ = 0;
-  int rounds_ = 0;
 };
 
 }  // namespace foldless

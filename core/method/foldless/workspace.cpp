@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/workspace.h"
 
-#include <cmath>
-
-#include "core/solve/descend.h"
-
 namespace foldless {
 namespace {
 
 /// Flipping on every step is slower, never on full steps locks.
 constexpr double kShortStep = 0.5;
 constexpr int kStepsBetweenFlips = 5;
+
+/// E_d + E_b may grow by this factor when handles are put on their targets.
+constexpr double kGrowthOfASnap = 1.5;
 
 }  // namespace
 
@@ -54,10 +53,18 @@ bool Workspace::snap() {
   if (system.objective().largest_step(mesh.deformed(), step) <= 1) return false;
   Positions held = positions;
   held.held = true;
-  if (!std::isfinite(system.objective().value(u, held).total())) return false;
+  const double before = system.objective().value(mesh.deformed(), held).total();
+  if (!(system.objective().value(u, held).total() <= kGrowthOfASnap * before)) return false;
   mesh.set_deformed(std::move(u));
   system.moved();
   return true;
+}
+
+void Workspace::take_counts(const Workspace& copy) {
+  system.counters = copy.system.counters;
+  system.times = copy.system.times;
+  flips = copy.flips;
+  splits = copy.splits;
 }
 
 void Workspace::set_energy(const EnergySettings& energy) {

@@ -7,6 +7,7 @@
 #include "core/mesh/mesh_pair.h"
 #include "core/remesh/flip_edges.h"
 #include "core/remesh/split_edges.h"
+#include "core/solve/descend.h"
 #include "core/solve/newton_system.h"
 #include "core/solve/update_vertices.h"
 
@@ -28,7 +29,7 @@ struct Workspace {
   NewtonSystem system;
   double eta;           ///< least relative gain of a flip
   bool condition_test;  ///< cancel flips that raise cond
-  Curvature curvature = Curvature::exact;
+  CurvatureChoice curvature = {};
   int flips = 0;
   int splits = 0;
   int steps_since_flips = 0;
@@ -40,8 +41,11 @@ struct Workspace {
   VertexUpdate descend(const Positions& aimed, std::stop_token token);
   int flip_edges();
   int split_edges(const std::vector<MovingDirection>& directions, const SplitSettings& settings);
-  /// Puts the handles exactly on their targets if no triangle leaves the feasible set on the way.
+  /// Puts the handles exactly on their targets if no triangle leaves the feasible set on the way,
+  /// nor E_d + E_b grows much.
   bool snap();
+  /// Adds up what was spent on a copy of this workspace: counters and times go on from there.
+  void take_counts(const Workspace& copy);
   /// Takes another energy for the same mesh.
   void set_energy(const EnergySettings& energy);
 };

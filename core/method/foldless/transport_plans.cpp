@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/transport_plans.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace foldless {
+namespace {
+
+/// Handles that turn together by more than this travel in spirals first. [rad]
+constexpr double kTurn = 0.5;
+constexpr double kShortStride = 0.02;
+
+std::vector<std::vector<int>> together(int handles) {
+  std::vector<int> all(static_cast<std::size_t>(handles));
+  std::iota(all.begin(), all.end(), 0);
+  return {all};
+}
+
+/// One handle after the other in descending order of their ways. The last group is all of them, so
+/// that those which waited can be put right.
+std::vector<std::vector<int>> farthest_first(const Points& starts, const Points& targets) {
+  std::vector<int> order = together(static_cast<int>(starts.cols())).front();
+  const auto way = [&](int i) { return (targets.col(i) - starts.col(i)).norm(); };
+  std::ranges::stable_sort(order, std::greater(), way);
+  std::vector<std::vector<int>> groups;
+  for (const int i : order)
+    if (way(i) > 0) groups.push_back({i});
+  groups.push_back(order);
+  return groups;
+}
+
+std::vector<std::vector<int>> nearest_first(const Points& starts, const Points& targets) {
+  auto groups = farthest_first(starts, targets);
+  std::reverse(groups.begin(), groups.end() - 1);
+  return groups;
+}
+
+}  // namespace
+
+std::vector<TransportPlan> transport_plans(const Points& starts, const Points& targets) {
+  const auto all = together(static_cast<int>(starts.cols()));
+  const bool turns = std::abs(HandlePaths::common_turn(starts, targets)) > kTurn;
+  const PathKind first = turns ? PathKind::turning : PathKind::straight;
+  const PathKind second = turns ? PathKind::straight : PathKind::turning;
+  return {{first, all},
+          {first, farthest_first(starts, targets)},
+          {second, all},
+          {first, nearest_first(starts, targets)},
+          {second, farthest_first(starts, targets)},
+          {first, all, kShortStride}};
+}
+
+}  // namespace foldless
