@@ -5,11 +5,11 @@ namespace foldless {
 namespace {
 
 /// Converged: the quadratic model promises less than this part of E.
-constexpr double kSmallDecrement = 1e-5;
+constexpr double kSmallDecrement = 3e-5;
 constexpr double kSmallStep = 1e-9;
 constexpr int kMostSteps = 300;
 /// Flips at the minimum start the descent again when they gain more than this part of E.
-constexpr double kGainOfFlips = 1e-4;
+constexpr double kGainOfFlips = 1e-3;
 
 }  // namespace
 
