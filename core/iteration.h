@@ -41,7 +41,7 @@ struct Iteration {
   double handle_error_squared = 0;       ///< ‖P(u)‖² = ‖Cu − p‖², soft handles left out
   double step_infinity_norm = 0;         ///< ‖u_n − u_{n−1}‖_∞
   double mu = 0;                         ///< shift of the diagonal in eq. 6
-  double step_length = 0;                ///< t of the line search
+  double step_length = 0;                ///< t of the line search, in (0, 1]
   double min_area_ratio = 0;             ///< min over triangles of A′/A
   double max_conformal_distortion = 0;   ///< max over triangles of σ₁/σ₂
   double mean_conformal_distortion = 0;  ///< mean over triangles of σ₁/σ₂

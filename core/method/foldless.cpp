@@ -10,7 +10,7 @@ namespace foldless {
 namespace {
 
 /// β per unit rest area: independent of the number of triangles, unlike the paper's.
-constexpr double kBeta = 5;
+constexpr double kBeta = 2;
 constexpr double kShortestEdge = 1e-5;
 constexpr double kOffTarget = 1e-6;
 constexpr int kMostSplitRounds = 3;

@@ -23,7 +23,7 @@ std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token to
 constexpr int kMostFullStepsWanted = 8;
 
 void after_clamped(CurvatureChoice& choice, double step_length) {
-  choice.full_steps = step_length >= 1 ? choice.full_steps + 1 : 0;
+  choice.full_steps = step_length == 1 ? choice.full_steps + 1 : 0;
   if (choice.full_steps >= choice.full_steps_wanted) choice.next = Curvature::exact;
 }
 
@@ -49,7 +49,7 @@ VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& posi
   system.assemble(mesh.deformed(), positions, Curvature::clamped);
   const std::optional<double> mu = factorize_clamped(system, token);
   if (!mu) return {.cancelled = token.stop_requested()};
-  const VertexUpdate update = move_vertices(system, mesh, positions, *mu, true);
+  const VertexUpdate update = move_vertices(system, mesh, positions, *mu);
   after_clamped(choice, update.step_length);
   return update;
 }

@@ -12,20 +12,6 @@ namespace {
 constexpr double kFirstTrial = 0.8;  ///< of the largest feasible step
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 60;
-constexpr double kLongestStep = 64;
-
-/// Doubles an accepted step as long as E falls by as much again as the rounding can hide.
-void exceed(const Objective& objective, const Positions& positions, const Line& line,
-            double longest, LineSearchResult& found) {
-  double energy = objective.value(found.u, positions).total();
-  for (double t = 2 * found.step_length; t <= longest && t <= kLongestStep; t *= 2) {
-    Points trial = line.u + t * line.step;
-    const double trial_energy = objective.value(trial, positions).total();
-    if (!(trial_energy < energy + kArmijo * t * line.slope)) return;
-    energy = trial_energy;
-    found = {t, std::move(trial)};
-  }
-}
 
 }  // namespace
 
@@ -34,15 +20,11 @@ LineSearchResult line_search(const Objective& objective, const Positions& positi
   const double energy = objective.value(line.u, positions).total();
   // Near the minimum the decrease drowns in the rounding of the sum.
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * std::abs(energy);
-  const double longest = kFirstTrial * objective.largest_step(line.u, line.step);
-  double t = std::min(1.0, longest);
+  double t = std::min(1.0, kFirstTrial * objective.largest_step(line.u, line.step));
   for (int halving = 0; halving < kMostHalvings; ++halving, t /= 2) {
     Points trial = line.u + t * line.step;
     const double trial_energy = objective.value(trial, positions).total();
-    if (trial_energy > energy + kArmijo * t * line.slope + rounding) continue;
-    LineSearchResult found{t, std::move(trial)};
-    if (line.may_exceed && halving == 0) exceed(objective, positions, line, longest, found);
-    return found;
+    if (trial_energy <= energy + kArmijo * t * line.slope + rounding) return {t, std::move(trial)};
   }
   return {0, line.u};
 }

@@ -7,7 +7,7 @@ namespace foldless {
 
 /// Where a line search ended.
 struct LineSearchResult {
-  double step_length = 0;  ///< t, or 0 when no decrease was found
+  double step_length = 0;  ///< t in (0, 1], or 0 when no decrease was found
   Points u;                ///< the new positions, 2 × #V; the old ones when t = 0
 };
 
@@ -16,9 +16,6 @@ struct Line {
   const Points& u;     ///< where it starts, 2 × #V
   const Points& step;  ///< its direction, 2 × #V
   double slope;        ///< ∇E·step, negative
-  /// True where the quadratic model is too stiff: a full step that went well is doubled as long as
-  /// E falls.
-  bool may_exceed = false;
 };
 
 /// Backtracks from min(1, 0.8 t_max) to an Armijo decrease (1e-4) of E along u + t·step. No

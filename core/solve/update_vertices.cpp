@@ -18,7 +18,7 @@ VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Positio
 }
 
 VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
-                           double mu, bool may_exceed) {
+                           double mu) {
   VertexUpdate update{.mu = mu};
   const Points step = system.newton_step();
   StageTimer timer(system.times.line_search);
@@ -26,7 +26,7 @@ VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions
   if (!(slope < 0)) return update;
   update.decrement = -0.5 * slope;
   LineSearchResult found =
-      line_search(system.objective(), positions, {mesh.deformed(), step, slope, may_exceed});
+      line_search(system.objective(), positions, {mesh.deformed(), step, slope});
   if (found.step_length == 0) return update;
   update.step_length = found.step_length;
   update.step_infinity_norm = (found.u - mesh.deformed()).cwiseAbs().maxCoeff();

@@ -25,8 +25,8 @@ VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Positio
                              std::stop_token token);
 
 /// Solves with the factor that the system holds, searches along the step and moves the mesh:
-/// what UpdateVertices and RelaxVertices have in common. `may_exceed`: see Line. Counts U.
+/// what UpdateVertices and RelaxVertices have in common. Counts U.
 VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
-                           double mu, bool may_exceed = false);
+                           double mu);
 
 }  // namespace foldless

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/approach.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace foldless {
 namespace {
 
 constexpr double kFirstAlpha = 10;
 constexpr double kAlphaFactor = 10;
 constexpr double kLastAlpha = 5e7;
+/// A way of a handle from which the weakest penalty is right. [D]
+constexpr double kLongWay = 0.1;
 
 /// A stage of α has done its work when no vertex moves more than this, or when the model promises
 /// less than this part of E.
@@ -19,14 +24,24 @@ constexpr double kNearEnough = 1e-4;
 constexpr int kMostMultiplierSteps = 8;
 constexpr double kMultipliersBelow = 1e-5;
 
-/// Stalled: ‖P‖² fell by less than this in so many steps.
-constexpr double kGainOfAWatch = 0.02;
+/// Stalled: ‖P‖² fell by less than this part in so many steps.
+constexpr double kGainOfAWatch = 0.25;
 constexpr int kStepsOfAWatch = 25;
+
+/// A short way needs no detour: the start is the stiffer, with the square, the shorter the way.
+double first_alpha(const Workspace& workspace) {
+  const Points handles =
+      held_where_they_are(workspace.positions, workspace.mesh.deformed()).targets;
+  if (handles.cols() == 0) return kFirstAlpha;
+  const double way = (workspace.positions.targets - handles).colwise().norm().maxCoeff();
+  const double shortness = kLongWay / std::max(way, kLongWay * 1e-4);
+  return std::clamp(kFirstAlpha * shortness * shortness, kFirstAlpha, kLastAlpha);
+}
 
 }  // namespace
 
 Approach::Approach(Workspace& workspace) : aimed_(workspace.positions) {
-  start_alpha(workspace, kFirstAlpha);
+  start_alpha(workspace, first_alpha(workspace));
 }
 
 void Approach::start_alpha(Workspace& workspace, double alpha) {

@@ -5,7 +5,7 @@ namespace foldless {
 namespace {
 
 /// Converged: the quadratic model promises less than this part of E.
-constexpr double kSmallDecrement = 3e-5;
+constexpr double kSmallDecrement = 1e-4;
 constexpr double kSmallStep = 1e-9;
 constexpr int kMostSteps = 300;
 /// Flips at the minimum start the descent again when they gain more than this part of E.

@@ -60,14 +60,24 @@ Progress Transport::step(Workspace& workspace, std::stop_token token, VertexUpda
   return end_stride(workspace);
 }
 
+// Handles on straight paths go on by themselves; those that turn keep step, so that what lies
+// between them turns like a rigid body.
 void Transport::begin_stride(Workspace& workspace) {
+  const std::vector<int>& group = plan_.groups[group_];
   steps_of_stride_ = 0;
   lag_ = 0;
-  for (const int i : plan_.groups[group_]) {
+  const auto has_arrived = [&](int i) {
+    return distance_to_go(workspace, i) < kArrived * plan_.stride;
+  };
+  const bool keep_step = plan_.path == PathKind::turning;
+  const bool all_arrived = std::ranges::all_of(group, has_arrived);
+  double longest = 0;
+  for (const int i : group) longest = std::max(longest, paths_.length(i));
+  for (const int i : group) {
     double& lambda = lambda_[static_cast<std::size_t>(i)];
-    const double length = paths_.length(i);
+    const double length = keep_step ? longest : paths_.length(i);
     if (length == 0) lambda = 1;
-    if (lambda < 1 && distance_to_go(workspace, i) < kArrived * plan_.stride)
+    if (lambda < 1 && (keep_step ? all_arrived : has_arrived(i)))
       lambda = std::min(1.0, lambda + plan_.stride / length);
     aimed_.targets.col(i) = paths_.at(i, lambda);
     lag_ += distance_to_go(workspace, i);

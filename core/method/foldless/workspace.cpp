@@ -6,7 +6,7 @@ namespace {
 
 /// Flipping on every step is slower, never on full steps locks.
 constexpr double kShortStep = 0.5;
-constexpr int kStepsBetweenFlips = 5;
+constexpr int kStepsBetweenFlips = 3;
 
 /// E_d + E_b may grow by this factor when handles are put on their targets.
 constexpr double kGrowthOfASnap = 1.5;

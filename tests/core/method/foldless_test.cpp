@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "core/energy/densities.h"
+#include "core/mesh/generate.h"
+#include "core/mesh/injective.h"
+#include "tests/support/random_scene.h"
+
+namespace foldless {
+namespace {
+
+bool is_valid(const MeshPair& mesh) {
+  return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
+}
+
+Problem grid_problem(const std::vector<std::pair<int, Vec2>>& handles) {
+  const Shape shape = grid({.columns = 8, .rows = 8, .width = 0.7, .height = 0.7});
+  Problem problem{MeshPair(shape.triangles, shape.rest), find_density("arap"), {}, {}};
+  for (const auto& [vertex, move] : handles) {
+    Handle handle;
+    handle.id = static_cast<int>(problem.handles.size());
+    handle.vertex = vertex;
+    handle.target = shape.rest.col(vertex) + move;
+    problem.handles.push_back(handle);
+  }
+  return problem;
+}
+
+/// The boundary of a grid held, a core of four vertices turned by 180° about the middle.
+Problem swirl() {
+  std::vector<std::pair<int, Vec2>> handles;
+  const auto rest = grid_problem({}).mesh.rest();
+  for (int j = 0; j <= 8; ++j)
+    for (int i = 0; i <= 8; ++i) {
+      const int v = 9 * j + i;
+      if (i == 0 || j == 0 || i == 8 || j == 8) handles.emplace_back(v, Vec2(0, 0));
+      if ((i == 3 || i == 5) && (j == 3 || j == 5))
+        handles.emplace_back(v, 2 * (Vec2(0.35, 0.35) - rest.col(v)));
+    }
+  return grid_problem(handles);
+}
+
+/// Handles that trade places, two scenes in three with the boundary held: few come home by
+/// approaching alone.
+Problem trading_places(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto rest = grid_problem({}).mesh.rest();
+  std::vector<int> vertices;
+  std::vector<std::pair<int, Vec2>> handles;
+  for (int j = 0; j <= 8; ++j)
+    for (int i = 0; i <= 8; ++i) {
+      const int v = 9 * j + i;
+      const bool is_boundary = i == 0 || j == 0 || i == 8 || j == 8;
+      if (!is_boundary) vertices.push_back(v);
+      if (is_boundary && seed % 3 != 0) handles.emplace_back(v, Vec2(0, 0));
+    }
+  std::shuffle(vertices.begin(), vertices.end(), random);
+  vertices.resize(6);
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    handles.emplace_back(vertices[k],
+                         rest.col(vertices[(k + 1) % vertices.size()]) - rest.col(vertices[k]));
+  return grid_problem(handles);
+}
+
+/// Runs to the end; every mesh on the way is proved.
+std::set<Phase> run(Foldless& method, int most_steps = 3000) {
+  std::set<Phase> phases;
+  for (int step = 0; step < most_steps; ++step) {
+    const auto iteration = method.step({});
+    if (!iteration) break;
+    phases.insert(iteration->phase);
+    EXPECT_TRUE(is_valid(method.mesh())) << "step " << step;
+  }
+  return phases;
+}
+
+TEST(Foldless, SatisfiedMeansExactlyOnTarget) {
+  Problem problem = grid_problem({{0, {0, 0}}, {8, {0.1, 0}}, {40, {-0.05, 0.12}}});
+  const auto handles = problem.handles;
+  Foldless method(std::move(problem));
+  run(method);
+  ASSERT_EQ(method.outcome(), Outcome::gradient);
+  for (const Handle& handle : handles)
+    EXPECT_EQ(Vec2(method.mesh().deformed().col(handle.vertex)), handle.target);
+}
+
+TEST(Foldless, AShortWayTakesFewFactorizations) {
+  Foldless method(grid_problem({{0, {0, 0}}, {80, {0.002, 0.001}}}));
+  std::optional<Iteration> last;
+  while (const auto iteration = method.step({})) last = iteration;
+  EXPECT_LE(last->factorizations, 8);
+}
+
+TEST(Foldless, ReachesACoreThatTurnsByHalfACircle) {
+  Problem problem = swirl();
+  const auto handles = problem.handles;
+  Foldless method(std::move(problem));
+  run(method);
+  ASSERT_EQ(method.outcome(), Outcome::gradient);
+  for (const Handle& handle : handles)
+    EXPECT_EQ(Vec2(method.mesh().deformed().col(handle.vertex)), handle.target);
+}
+
+TEST(Foldless, WhileATransportIsUnderWayTheBestMeshStaysOnShow) {
+  int transports = 0;
+  for (std::uint64_t seed = 1; seed <= 40 && transports < 50; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Foldless method(trading_places(seed));
+    bool was_transport = false;
+    for (int step = 0; step < 400 && !method.outcome(); ++step) {
+      const Points shown = method.mesh().deformed();
+      const auto iteration = method.step({});
+      const bool is_transport = iteration && iteration->phase == Phase::transport;
+      const bool has_arrived = iteration && iteration->handle_error_squared == 0;
+      if (is_transport && was_transport && !has_arrived) {
+        EXPECT_EQ(method.mesh().deformed(), shown);
+        ++transports;
+      }
+      was_transport = is_transport;
+    }
+  }
+  EXPECT_GE(transports, 50) << "the claim would be empty";
+}
+
+TEST(Foldless, IsValidOnRandomScenesWhateverIsCancelledAndResumed) {
+  std::set<Phase> phases;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Foldless method(seed % 2 ? test::random_problem(seed) : trading_places(seed));
+    std::mt19937_64 random(seed);
+    std::stop_source stopped;
+    stopped.request_stop();
+    for (int step = 0; step < 400 && !method.outcome(); ++step) {
+      if (random() % 4 == 0) {
+        const Points before = method.mesh().deformed();
+        EXPECT_FALSE(method.step(stopped.get_token()).has_value());
+        EXPECT_EQ(method.mesh().deformed(), before);
+      }
+      if (const auto iteration = method.step({})) phases.insert(iteration->phase);
+      ASSERT_TRUE(is_valid(method.mesh())) << "step " << step;
+    }
+  }
+  // The claim would be empty if a stage were never entered.
+  EXPECT_EQ(phases, (std::set{Phase::approach, Phase::transport, Phase::settle}));
+}
+
+TEST(Foldless, ACopyGoesOnLikeTheOriginal) {
+  Foldless method(swirl());
+  for (int i = 0; i < 10; ++i) method.step({});
+  const std::unique_ptr<Method> copy = method.clone();
+  for (int i = 0; i < 5; ++i) {
+    method.step({});
+    copy->step({});
+  }
+  EXPECT_LE((method.mesh().deformed() - copy->mesh().deformed()).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(Foldless, NewTargetsStartFromTheMeshAsItIs) {
+  Problem problem = grid_problem({{0, {0, 0}}, {80, {0.1, 0.1}}});
+  Points targets(2, 2);
+  targets << problem.handles[0].target, problem.handles[1].target;
+  Foldless method(std::move(problem));
+  run(method);
+  targets.col(1) += Vec2(0.01, -0.02);
+  method.set_targets(targets);
+  EXPECT_FALSE(method.outcome().has_value());
+  run(method);
+  ASSERT_EQ(method.outcome(), Outcome::gradient);
+  EXPECT_EQ(Vec2(method.mesh().deformed().col(80)), Vec2(targets.col(1)));
+}
+
+}  // namespace
+}  // namespace foldless
