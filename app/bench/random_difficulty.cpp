@@ -127,7 +127,9 @@ void add_inner_move(RandomNumbers& random, RandomDeformation& deformation) {
   const double room = 0.98 * mesh.clearance[static_cast<std::size_t>(v)];
   if (room <= 0) return;
   if (random.below(2) == 0) {
-    const double angle = random.sign() * random.between(60, 240) * kDegree;
+    // One draw a statement: the order of operands is the compiler's choice.
+    const double sign = random.sign();
+    const double angle = sign * random.between(60, 240) * kDegree;
     deformation.map.moves.emplace_back(Twist{centre, room, room * random.between(0, 0.4), angle});
   } else {
     add_long_drag(deformation.map, {centre, room / 2, room / 2 * direction(random)});
@@ -203,16 +205,16 @@ bool draw_swirl(RandomNumbers& random, RandomDeformation& deformation) {
   deformation.map.moves.emplace_back(Twist{centre, radius, core, random.sign() * std::numbers::pi});
   hold_boundary(deformation);
   const std::size_t held = deformation.handles.size();
-  int is_free = 0;
+  std::size_t untouched = 0;
   for (int v = 0; v < rest.cols(); ++v) {
     if (mesh.is_boundary[static_cast<std::size_t>(v)]) continue;
     if ((rest.col(v) - centre).norm() <= core)
       deformation.handles.push_back(v);
     else
-      ++is_free;
+      ++untouched;
   }
   const std::size_t turned = deformation.handles.size() - held;
-  return turned >= 4 && is_free >= static_cast<int>(turned);
+  return turned >= 4 && untouched >= turned;
 }
 
 constexpr std::array kDifficulties{
