@@ -15,7 +15,7 @@ namespace foldless {
 namespace {
 
 const std::filesystem::path kAssets = FOLDLESS_ASSETS_DIR;
-constexpr std::string_view kMethods[] = {"paper", "paper-flip", "paper-noflip"};
+constexpr std::string_view kMethods[] = {"foldless", "paper", "paper-flip", "paper-noflip"};
 
 std::set<std::string> stems_in(const std::filesystem::path& folder) {
   std::set<std::string> stems;
