@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foldless {
 namespace {
@@ -10,19 +11,26 @@ namespace {
 constexpr double kSmallest = 1e-12;    // keeps logarithms finite
 constexpr double kLeastExtent = 1.01;  // max / min; less is rounding noise and shows as one colour
 
+/// A triangle that is turned over lies beyond every scale.
 double measure_of(const Vec2& sigma, HeatMeasure measure) {
-  const double value = measure == HeatMeasure::conformal ? sigma[0] / std::max(sigma[1], kSmallest)
-                                                         : sigma[0] * sigma[1];
-  return std::max(value, kSmallest);
+  if (measure == HeatMeasure::area) return sigma[1] > 0 ? std::max(sigma.prod(), kSmallest) : 0;
+  return sigma[1] > 0 ? sigma[0] / std::max(sigma[1], kSmallest)
+                      : std::numeric_limits<double>::infinity();
 }
 
 HeatRange range_of(const std::vector<double>& values, HeatMeasure measure) {
   HeatRange range{.measure = measure};
-  if (values.empty()) return range;
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  range.min = measure == HeatMeasure::conformal ? 1 : *least;
-  range.max = std::max(*most, kLeastExtent * range.min);
-  range.triangle_at_max = static_cast<int>(most - values.begin());
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (std::size_t t = 0; t < values.size(); ++t) {
+    if (!(values[t] > 0) || !std::isfinite(values[t])) continue;
+    least = std::min(least, values[t]);
+    if (values[t] <= most) continue;
+    most = values[t];
+    range.triangle_at_max = static_cast<int>(t);
+  }
+  if (most == 0) return range;
+  range.min = measure == HeatMeasure::conformal ? 1 : least;
+  range.max = std::max(most, kLeastExtent * range.min);
   return range;
 }
 

@@ -18,8 +18,8 @@ struct HeatRange {
 
 /// Distortion of each triangle, dimensionless. [σ₁/σ₂, or A′/A]
 struct Distortion {
-  std::vector<double> values;  ///< one a triangle
-  HeatRange range;             ///< covers the values; conformal starts at 1
+  std::vector<double> values;  ///< one a triangle; of those turned over ∞, or 0 for the area
+  HeatRange range;             ///< covers the others; conformal starts at 1
 };
 
 /// Of the snapshot's map from rest to deformed mesh.

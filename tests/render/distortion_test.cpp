@@ -45,6 +45,19 @@ TEST(Distortion, RangeCoversTheValuesAndNamesTheWorstTriangle) {
   }
 }
 
+TEST(Distortion, ATriangleThatIsTurnedOverLiesBeyondTheScale) {
+  Snapshot snapshot = test::undeformed(test::unit_square());
+  snapshot.deformed.col(1) = Vec2(2, 0);
+  snapshot.deformed.col(3) = Vec2(0.75, 0.25);
+  const Distortion conformal = distortion_of(snapshot, HeatMeasure::conformal);
+  EXPECT_LT(conformal.range.max, 10) << "the other triangle alone sets the scale";
+  EXPECT_EQ(conformal.range.triangle_at_max, 0);
+  EXPECT_EQ(position_on(conformal.range, conformal.values[1]), 1);
+  const Distortion area = distortion_of(snapshot, HeatMeasure::area);
+  EXPECT_NEAR(area.range.min, 2, 1e-12);
+  EXPECT_EQ(position_on(area.range, area.values[1]), 0);
+}
+
 TEST(Distortion, RoundingNoiseIsOneColour) {
   Snapshot snapshot = test::undeformed(test::square_grid(5));
   snapshot.deformed.array() += 1e-7 * Eigen::sin(snapshot.deformed.array() * 9);
