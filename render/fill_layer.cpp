@@ -61,13 +61,15 @@ void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, const CanvasColo
   mesh.draw_triangles();
 }
 
-void FillLayer::upload_heat(const Distortion& distortion) {
+void FillLayer::upload_heat(const MeshLayer& mesh, const Distortion& distortion) {
   const std::vector<Colour> table = shades();
   const std::size_t rows = distortion.values.size() / kHeatWidth + 1;
   std::vector<Colour> texels(rows * kHeatWidth);
-  for (std::size_t t = 0; t < distortion.values.size(); ++t) {
-    const double place = position_on(distortion.range, distortion.values[t]);
-    texels[t] = table[static_cast<std::size_t>(place * (kShades - 1) + 0.5)];
+  const std::vector<int>& order = mesh.order();
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const double value = distortion.values[static_cast<std::size_t>(order[k])];
+    const double place = position_on(distortion.range, value);
+    texels[k] = table[static_cast<std::size_t>(place * (kShades - 1) + 0.5)];
   }
   glBindTexture(GL_TEXTURE_2D, heat_colours_.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -77,7 +79,7 @@ void FillLayer::upload_heat(const Distortion& distortion) {
 }
 
 void FillLayer::draw_heat(const Frame& frame, const MeshLayer& mesh, const Distortion& distortion) {
-  upload_heat(distortion);
+  upload_heat(mesh, distortion);
   use_in_frame(heat_, frame);
   heat_.set("colours", 0);
   mesh.draw_triangles();

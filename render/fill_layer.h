@@ -28,7 +28,7 @@ class FillLayer {
   void draw_heat(const Frame& frame, const MeshLayer& mesh, const Distortion& distortion);
 
  private:
-  void upload_heat(const Distortion& distortion);
+  void upload_heat(const MeshLayer& mesh, const Distortion& distortion);
 
   ShaderProgram fill_;
   ShaderProgram heat_;

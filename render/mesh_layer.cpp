@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "render/drawing_order.h"
 #include "render/mesh_edges.h"
 
 namespace foldless {
@@ -66,7 +67,11 @@ void MeshLayer::upload_connectivity(const Snapshot& snapshot) {
   rest_box_ = box_of(*snapshot.rest);
   upload_points(rest_, *snapshot.rest);
   const Triangles& triangles = *snapshot.triangles;
-  const std::vector<std::uint32_t> indices(triangles.data(), triangles.data() + triangles.size());
+  order_ = drawing_order(triangles, *snapshot.rest);
+  std::vector<std::uint32_t> indices;
+  indices.reserve(static_cast<std::size_t>(triangles.size()));
+  for (const int t : order_)
+    for (const int v : triangles.col(t)) indices.push_back(static_cast<std::uint32_t>(v));
   triangle_indices_ = indices.size();
   glBindVertexArray(faces_.id());
   upload(GL_ELEMENT_ARRAY_BUFFER, indices, GL_DYNAMIC_DRAW);

@@ -29,6 +29,8 @@ class MeshLayer {
 
   /// Draws with the program in use: attribute 0 is the position, 1 the rest position.
   void draw_triangles() const;
+  /// Which triangle is drawn as the first, the second …: gl_PrimitiveID counts in this order.
+  const std::vector<int>& order() const { return order_; }
   /// GL_LINES of a set of edges in the pose of the last update.
   void draw_edges(EdgeSet set) const;
   /// GL_LINES of the boundary of the rest mesh.
@@ -55,6 +57,7 @@ class MeshLayer {
   VertexArray lines_;       ///< positions, edges
   VertexArray rest_lines_;  ///< rest, edges
   std::size_t triangle_indices_ = 0;
+  std::vector<int> order_;
   std::array<Range, 3> ranges_;  ///< by EdgeSet
   Box rest_box_;
   std::optional<std::uint64_t> revision_;
