@@ -14,6 +14,7 @@
 #include "app/cli_calls.h"
 #include "app/cli_interrupt.h"
 #include "app/cli_problem.h"
+#include "app/cli_results.h"
 #include "core/atomic_file.h"
 #include "core/method/methods.h"
 
@@ -56,7 +57,7 @@ std::vector<BenchJob> jobs_of(const BenchCall& call, const std::vector<BenchScen
 }
 
 void keep_scenes(const std::filesystem::path& folder, const std::vector<BenchScene>& scenes) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   for (const BenchScene& scene : scenes) save_scene(scene.scene, folder / (scene.name + ".json"));
 }
 
@@ -98,7 +99,6 @@ std::string notes_of(const std::vector<BenchRow>& rows) {
 using Rows = std::vector<BenchRow>;
 
 void write_rows(const std::filesystem::path& folder, const Rows& rows) {
-  std::filesystem::create_directories(folder);
   write_file_atomically(folder / "results.csv", rows_csv_table(rows).csv());
   write_file_atomically(folder / "results.json", json_text(rows_node(rows)));
 }
@@ -173,6 +173,7 @@ void run_paper(const BenchCall& call, const Interrupt& interrupt) {
 
 int bench(const BenchCall& call) {
   const Interrupt interrupt;
+  if (call.folder) make_folder(*call.folder);
   if (call.suite == "paper")
     run_paper(call, interrupt);
   else

@@ -33,13 +33,6 @@ void remove_frames(const fs::path& frames) {
   fs::remove(frames, ignored);
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw Error(folder.string() + ": cannot be made: " + failure.message());
-  if (!fs::is_directory(folder)) throw Error(folder.string() + ": is not a folder");
-}
-
 /// Room for what a mesh does between its start and its targets.
 Box widened(Box box) {
   const auto margin = 0.15 * (box.max - box.min);
@@ -57,6 +50,13 @@ ImageTexts texts_of(const Snapshot& snapshot) {
 }
 
 }  // namespace
+
+void make_folder(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) throw Error(folder.string() + ": cannot be made: " + failure.message());
+  if (!fs::is_directory(folder)) throw Error(folder.string() + ": is not a folder");
+}
 
 Results::Results(fs::path folder, std::optional<FigureOptions> figure)
     : folder_(std::move(folder)) {

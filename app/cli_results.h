@@ -10,6 +10,9 @@
 
 namespace foldless {
 
+/// Makes a folder and those above it. Throws Error when it cannot be made.
+void make_folder(const std::filesystem::path& folder);
+
 /// The folder that `solve` writes into. Every file is replaced as a whole.
 class Results {
  public:

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/app/cli/command.h"
 #include "tests/core/run/scripted_method.h"
@@ -10,6 +12,7 @@ namespace foldless {
 namespace {
 
 using nlohmann::json;
+using test::Command;
 using test::Ended;
 using test::names_in;
 using test::read_text;
@@ -69,6 +72,18 @@ TEST(Bench, ReproducesAPartOfThePaper) {
                                       "results.json", "table1.csv", "table1.md"}));
 }
 
+TEST(Bench, InterruptedItWritesWhatIsThere) {
+  const TemporaryFolder folder;
+  Command command({"bench", "--suite", "random", "--only", "5,23", "--method", "paper-noflip", "-o",
+                   folder / "out", "--keep", folder / "scenes"});
+  while (names_in(folder / "scenes").size() < 2) std::this_thread::yield();
+  command.send(SIGINT);
+  const Ended ended = command.wait();
+  EXPECT_EQ(ended.status, 130);
+  EXPECT_EQ(names_in(folder / "out"),
+            (std::vector<std::string>{"results.csv", "results.json", "summary.md"}));
+}
+
 TEST(Bench, RefusesWhatItDoesNotUnderstand) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"bench"},
@@ -77,6 +92,7 @@ TEST(Bench, RefusesWhatItDoesNotUnderstand) {
         {"bench", "--suite", "random", "--only", "-1"},
         {"bench", "--suite", "random", "--method", "magic"},
         {"bench", "--suite", "random", "--jobs", "0"},
+        {"bench", "--suite", "random", "-o", "/dev/null/folder"},
         {"bench", "missing.json"}}) {
     const Ended ended = test::run(arguments);
     EXPECT_EQ(ended.status, 2);
