@@ -49,7 +49,8 @@ bool Editor::update(double now) {
     redraw();
   }
   if (race_.update(now)) redraw();
-  const bool rests = !solving_.is_running() && !is_editing() && !scrubbed_ && !race_.is_open();
+  const bool rests =
+      !solving_.is_running() && !is_editing() && !scrubbed_ && !race_.is_open() && proof_.holds();
   if (stuck_.follow(document_, rests)) redraw();
   return std::exchange(needs_redraw_, false);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rest and deformed mesh side by side, and the race: the whole editor off screen.
+// Rest and deformed mesh side by side, the race, what stands in a handle's way, and the badge: the
+// whole editor off screen.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -179,6 +180,31 @@ TEST_F(Compare, WritesItsTable) {
   headless_.key(Key::enter);
   headless_.settle();
   EXPECT_TRUE(read_file(file).starts_with("lane,mesh,"));
+}
+
+TEST_F(Compare, MarksTheEdgeInTheWayUntilItIsFlipped) {
+  const glm::vec4 mark(0xFF / 255.0F, 0xD8 / 255.0F, 0x4D / 255.0F, 1);
+  Shape square{Triangles(3, 2), Points(2, 4)};
+  square.triangles << 0, 0, 1, 2, 2, 3;
+  square.rest << 0, 1, 1, 0, 0, 0, 1, 1;
+  editor().open_shape(square, "square");
+  Document document = editor().document();
+  document.parameters.method = "paper-noflip";
+  for (const int vertex : {0, 1, 2, 3})
+    document = place_handle(document, {.vertex = vertex}).document;
+  document = with_targets(document, {{3, Vec2(0.7, 0.3)}});
+  editor().begin_edit();
+  editor().apply(document, Change::mesh);
+  editor().commit("Past the diagonal");
+  ASSERT_TRUE(headless_.wait_until([this] { return editor().stuck_handle() != nullptr; }));
+  headless_.calm_down();
+  const Rectangle canvas = headless_.ui().layout().canvas;
+  EXPECT_GT(pixels_of(mark, canvas), 100);
+  headless_.key(Key::f, {.shift = true});
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  headless_.calm_down();
+  EXPECT_EQ(editor().status().kind, StatusKind::converged) << editor().status().words;
+  EXPECT_EQ(pixels_of(mark, canvas), 0);
 }
 
 TEST_F(Compare, TheBadgeTurnsYellowWhereAMapFolds) {
