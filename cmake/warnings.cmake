@@ -27,8 +27,8 @@ function(foldless_library name)
   foldless_options(${name})
 endfunction()
 
-# Half of the compile time goes into these headers. Not for the release build, which so keeps
-# proving that every file includes what it uses.
+# Half of the compile time goes into these headers. A build without the option proves that every file
+# includes what it uses.
 if(FOLDLESS_PRECOMPILE)
   file(CONFIGURE OUTPUT precompiled.cpp CONTENT "")
   foldless_library(foldless_precompiled ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp)

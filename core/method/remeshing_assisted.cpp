@@ -2,6 +2,7 @@
 #include "core/method/remeshing_assisted.h"
 
 #include <cmath>
+#include <limits>
 
 #include "core/method/moving_directions.h"
 #include "core/method/record.h"
@@ -13,8 +14,12 @@ namespace {
 
 /// A round that leaves more of ‖P‖² than this has stopped gaining.
 constexpr double kGainOfARound = 0.9;
+/// The inner loop of Algorithm 1 with splits ends early where ‖P‖² fell by less than this factor in
+/// so many updates.
+constexpr double kGainOfAWatch = 0.9;
+constexpr int kUpdatesOfAWatch = 50;
 /// Rounds of splits that may leave ‖P‖² as it was before they are undone.
-constexpr int kMostRoundsWithoutGain = 0;
+constexpr int kMostRoundsWithoutGain = 1;
 /// No split makes an edge shorter than this. [D]
 constexpr double kShortestEdge = 1e-5;
 
@@ -110,11 +115,22 @@ Iteration RemeshingAssisted::after_updating(const VertexUpdate& update) {
     system_.assemble_gradient(mesh_.deformed(), positions_);
   }
   phase_ = Phase::relax;
-  if (!ended && inner_ >= parameters_.inner_iterations) ended = Outcome::iteration_limit;
+  if (!ended && (inner_ >= parameters_.inner_iterations || (remeshing_.splits && has_stalled())))
+    ended = Outcome::iteration_limit;
   if (ended && remeshing_.splits && !is_satisfied()) go_back_to_best();
   const Iteration iteration = record(update, Phase::update);
   if (ended) end_inner_loop(*ended);
   return iteration;
+}
+
+// A watch of some updates: without it a blocked inner loop creeps on for N_in repeats before the
+// edges that block it are split.
+bool RemeshingAssisted::has_stalled() {
+  if (inner_ % kUpdatesOfAWatch != 0) return false;
+  const double error = handle_error_squared(positions_, mesh_.deformed());
+  const bool stalled = error > kGainOfAWatch * watched_error_;
+  watched_error_ = error;
+  return stalled;
 }
 
 std::optional<Outcome> RemeshingAssisted::convergence(const VertexUpdate& update) const {
@@ -174,6 +190,7 @@ void RemeshingAssisted::go_back_to_best() {
 
 void RemeshingAssisted::begin_round() {
   inner_ = 0;
+  watched_error_ = std::numeric_limits<double>::infinity();
   round_changed_mesh_ = false;
   round_start_error_ = handle_error_squared(positions_, mesh_.deformed());
 }

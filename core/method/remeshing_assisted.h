@@ -38,6 +38,7 @@ class RemeshingAssisted final : public Method {
   bool prepare_next_round(Outcome outcome);
   int split(Outcome outcome);
   void go_back_to_best();
+  bool has_stalled();
   bool is_small(const VertexUpdate& update) const;
   bool is_satisfied() const;
   int flip();
@@ -68,6 +69,7 @@ class RemeshingAssisted final : public Method {
   };
   std::optional<Best> best_;
   int rounds_without_gain_ = 0;
+  double watched_error_ = 0;  ///< ‖P‖² when the watch for a stall began
   double seconds_ = 0;
 };
 
