@@ -43,11 +43,13 @@ void Editor::use_race_lane(std::size_t index) {
     return toast(ToastKind::error, "That map folds; the editor keeps to maps that do not.");
   begin_edit();
   Document document = document_;
+  document.standing = {};
   document.pose = adopted_pose(lane.shown(), *document_.pose);
   document.handles = lane.shown()->handles;
   document.parameters = lane.parameters();
   restore(document);
-  document_.standing = {lane.is_at_end() ? lane.outcome() : std::nullopt, lane.is_at_targets()};
+  document_.standing.satisfied = lane.is_at_targets();
+  if (lane.is_at_end()) document_.standing.outcome = lane.outcome();
   const std::string label = "Use the result of " + lane.title();
   race_.close();
   commit(label);
