@@ -23,24 +23,6 @@ double smallest_positive_root(double a, double b, double c) {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Adds a 6×6 element block into the lower triangle; nodes below 0 are left out.
-void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,
-               const Eigen::Matrix<double, 6, 6>& block) {
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) {
-      const int i = nodes[static_cast<std::size_t>(a)];
-      const int j = nodes[static_cast<std::size_t>(b)];
-      if (i < j || j < 0) continue;
-      const BlockPlace place = find_block(matrix, i, j);
-      double* first = &matrix.value[static_cast<std::size_t>(place.first_column)];
-      double* second = &matrix.value[static_cast<std::size_t>(place.second_column)];
-      first[0] += block(2 * a, 2 * b);
-      first[1] += block(2 * a + 1, 2 * b);
-      if (i != j) *second++ += block(2 * a, 2 * b + 1);
-      *second += block(2 * a + 1, 2 * b + 1);
-    }
-}
-
 }  // namespace
 
 Objective::Objective(const EnergySettings& settings, const MeshPair& mesh,

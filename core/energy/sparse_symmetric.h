@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -32,5 +34,10 @@ struct BlockPlace {
   int second_column;
 };
 BlockPlace find_block(const SparseSymmetric& matrix, int i, int j);
+
+/// Adds the symmetric block of a triangle, whose corners are the nodes; a corner of node −1 has no
+/// rows in the matrix. Precondition: the pattern has the block.
+void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,
+               const Eigen::Matrix<double, 6, 6>& block);
 
 }  // namespace foldless

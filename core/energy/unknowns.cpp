@@ -25,23 +25,31 @@ class Components {
 
 }  // namespace
 
-Unknowns unknowns_of(const MeshPair& mesh, const std::vector<int>& handle_vertices) {
-  const auto count = static_cast<std::size_t>(mesh.vertex_count());
+std::vector<int> components_of(const MeshPair& mesh) {
   Components components(mesh.vertex_count());
-  std::vector<bool> used(count, false);
   for (const auto& t : mesh.triangles().colwise()) {
     components.join(t[0], t[1]);
     components.join(t[1], t[2]);
-    for (int corner = 0; corner < 3; ++corner) used[static_cast<std::size_t>(t[corner])] = true;
   }
+  std::vector<int> component;
+  for (int v = 0; v < mesh.vertex_count(); ++v) component.push_back(components.root(v));
+  return component;
+}
+
+Unknowns unknowns_of(const MeshPair& mesh, const std::vector<int>& handle_vertices) {
+  const auto count = static_cast<std::size_t>(mesh.vertex_count());
+  const std::vector<int> component = components_of(mesh);
+  std::vector<bool> used(count, false);
+  for (const int v : mesh.triangles().reshaped()) used[static_cast<std::size_t>(v)] = true;
   std::vector<bool> held(count, false);
-  for (const int v : handle_vertices) held[static_cast<std::size_t>(components.root(v))] = true;
+  for (const int v : handle_vertices)
+    held[static_cast<std::size_t>(component[static_cast<std::size_t>(v)])] = true;
 
   Unknowns unknowns;
   unknowns.node_of_vertex.assign(count, -1);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     const auto i = static_cast<std::size_t>(v);
-    if (!used[i] || !held[static_cast<std::size_t>(components.root(v))]) continue;
+    if (!used[i] || !held[static_cast<std::size_t>(component[i])]) continue;
     unknowns.node_of_vertex[i] = unknowns.count();
     unknowns.vertex_of_node.push_back(v);
   }

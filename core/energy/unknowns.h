@@ -16,6 +16,10 @@ struct Unknowns {
   int count() const { return static_cast<int>(vertex_of_node.size()); }
 };
 
+/// For every vertex of a mesh a number that is the same for two vertices exactly when triangles
+/// connect them.
+std::vector<int> components_of(const MeshPair& mesh);
+
 /// Unknowns of a mesh whose handles sit at `handle_vertices`.
 Unknowns unknowns_of(const MeshPair& mesh, const std::vector<int>& handle_vertices);
 

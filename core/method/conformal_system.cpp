@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/conformal_system.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/energy/unknowns.h"
+#include "core/error.h"
+#include "core/mesh/quality.h"
+
+namespace foldless {
+namespace {
+
+/// An energy as A (z |f_z − t|² + zbar |f_z̄|²) with t = 1, or the frame.
+struct QuadraticEnergy {
+  std::string_view density;
+  double z, zbar;
+  bool follows_frame;
+};
+
+constexpr std::array kQuadraticEnergies{
+    QuadraticEnergy{"dirichlet", 1, 1, false},
+    QuadraticEnergy{"lscm", 0, 2, false},
+    QuadraticEnergy{"arap", 1, 1, true},
+};
+
+const QuadraticEnergy* find_quadratic(const Density& density) {
+  const auto row = std::ranges::find(kQuadraticEnergies, density.name, &QuadraticEnergy::density);
+  return row == kQuadraticEnergies.end() ? nullptr : &*row;
+}
+
+constexpr int kLocalGlobalSteps = 200;  ///< of arap, to its minimum without constraints
+
+/// B of a rest triangle: f_z = Σ ½(g_x − i g_y) w_j and f_z̄ = Σ ½(g_x + i g_y) w_j over corners
+/// w_j = x_j + i y_j with hat gradients (g_x, g_y).
+Eigen::Matrix<double, 4, 6> derivative_matrix(const Eigen::Matrix<double, 2, 3>& gradients) {
+  Eigen::Matrix<double, 4, 6> B;
+  for (int j = 0; j < 3; ++j) {
+    const double gx = 0.5 * gradients(0, j), gy = 0.5 * gradients(1, j);
+    B.block<4, 2>(0, 2 * j) << gx, gy,  //
+        -gy, gx,                        //
+        gx, -gy,                        //
+        gy, gx;
+  }
+  return B;
+}
+
+/// Every component of a problem under a conformal energy needs two handles, or it may grow.
+void expect_two_handles(const Problem& problem, std::string_view method) {
+  const std::vector<int> component = components_of(problem.mesh);
+  std::vector<int> handles(component.size(), 0);
+  const auto of = [&](const Handle& h) {
+    return static_cast<std::size_t>(component[static_cast<std::size_t>(h.vertex)]);
+  };
+  for (const Handle& handle : problem.handles) ++handles[of(handle)];
+  for (const Handle& handle : problem.handles)
+    if (handles[of(handle)] == 1)
+      throw Error("with the energy lscm, method '" + std::string(method) +
+                  "' needs two handles on every part of the mesh; the part of vertex " +
+                  std::to_string(handle.vertex) + " has one");
+}
+
+}  // namespace
+
+ConformalSystem::ConformalSystem(const Problem& problem, std::string_view method)
+    : solver(0, {}),
+      density_(problem.energy),
+      rest_(problem.mesh.rest()),
+      triangles_(problem.mesh.triangles()) {
+  const QuadraticEnergy* energy = find_quadratic(*density_);
+  if (!energy)
+    throw Error("method '" + std::string(method) + "' has no energy '" +
+                std::string(density_->name) + "'; choose dirichlet, lscm or arap");
+  if (energy->z == 0) expect_two_handles(problem, method);
+  find_unknowns(problem);
+  add_springs(problem);
+  solver = ConeSolver(static_cast<int>(vertex_of_node_.size()), element_nodes());
+}
+
+void ConformalSystem::find_unknowns(const Problem& problem) {
+  std::vector<int> handle_vertices;
+  for (const Handle& handle : problem.handles) {
+    handle_vertices.push_back(handle.vertex);
+    hard_vertices_.push_back(handle.kind == HandleKind::soft ? -1 : handle.vertex);
+  }
+  const Unknowns moving = unknowns_of(problem.mesh, handle_vertices);
+  node_of_vertex_.assign(moving.node_of_vertex.size(), -1);
+  for (const int v : moving.vertex_of_node) {
+    if (std::ranges::find(hard_vertices_, v) != hard_vertices_.end()) continue;
+    node_of_vertex_[static_cast<std::size_t>(v)] = static_cast<int>(vertex_of_node_.size());
+    vertex_of_node_.push_back(v);
+  }
+  for (const auto& t : triangles_.colwise()) {
+    if (moving.node_of_vertex[static_cast<std::size_t>(t[0])] < 0) continue;
+    FreeTriangle triangle{t, {}, signed_area(rest_, t), {}};
+    for (int j = 0; j < 3; ++j)
+      triangle.nodes[static_cast<std::size_t>(j)] = node_of_vertex_[static_cast<std::size_t>(t[j])];
+    if (std::ranges::all_of(triangle.nodes, [](int node) { return node < 0; })) {
+      held_.push_back(t);
+      continue;
+    }
+    triangle.B = derivative_matrix(
+        hat_gradients(rest_.col(t[0]), rest_.col(t[1]), rest_.col(t[2]), triangle.area));
+    free_.push_back(triangle);
+  }
+}
+
+void ConformalSystem::add_springs(const Problem& problem) {
+  for (std::size_t i = 0; i < problem.handles.size(); ++i) {
+    const Handle& handle = problem.handles[i];
+    if (handle.kind != HandleKind::soft) continue;
+    const double stiffness = problem.parameters.alpha * handle.weight;
+    for (std::size_t t = 0; t < free_.size(); ++t) {
+      const auto corner = std::ranges::find(free_[t].vertices, handle.vertex);
+      if (corner == free_[t].vertices.end()) continue;
+      springs_.push_back({t, static_cast<int>(corner - free_[t].vertices.begin()),
+                          static_cast<int>(i), stiffness});
+      break;
+    }
+  }
+}
+
+std::vector<std::array<int, 3>> ConformalSystem::element_nodes() const {
+  std::vector<std::array<int, 3>> nodes;
+  for (const FreeTriangle& triangle : free_) nodes.push_back(triangle.nodes);
+  return nodes;
+}
+
+std::vector<ConformalParts> ConformalSystem::parts(const Points& u) const {
+  std::vector<ConformalParts> parts;
+  parts.reserve(free_.size());
+  for (const FreeTriangle& triangle : free_)
+    parts.push_back(conformal_parts(deformation_gradient(rest_, u, triangle.vertices)));
+  return parts;
+}
+
+TriangleTerm ConformalSystem::energy_term(const Complex& frame) const {
+  const QuadraticEnergy& energy = *find_quadratic(*density_);
+  return {.z_weight = energy.z,
+          .zbar_weight = energy.zbar,
+          .z_target = energy.follows_frame ? frame : Complex(1)};
+}
+
+Points ConformalSystem::with_handles(Points u, const Points& targets) const {
+  for (std::size_t i = 0; i < hard_vertices_.size(); ++i)
+    if (hard_vertices_[i] >= 0)
+      u.col(hard_vertices_[i]) = targets.col(static_cast<Eigen::Index>(i));
+  return u;
+}
+
+ConeProgram ConformalSystem::program(const Points& u, const Points& targets,
+                                     const std::vector<TriangleTerm>& terms) const {
+  ConeProgram program(free_.size());
+  for (std::size_t t = 0; t < free_.size(); ++t) {
+    const FreeTriangle& triangle = free_[t];
+    const TriangleTerm& term = terms[t];
+    ConeElement& e = program[t];
+    const Eigen::Vector4d target(term.z_target.real(), term.z_target.imag(),
+                                 term.zbar_target.real(), term.zbar_target.imag());
+    const Eigen::Vector4d weights(term.z_weight, term.z_weight, term.zbar_weight, term.zbar_weight);
+    const Eigen::Matrix<double, 6, 4> BD =
+        2 * triangle.area * triangle.B.transpose() * weights.asDiagonal();
+    e.nodes = triangle.nodes;
+    e.weight = triangle.area;
+    e.P = BD * triangle.B;
+    e.q = -BD * target;
+    e.G = term.R * triangle.B;
+    for (int j = 0; j < 3; ++j) {
+      if (triangle.nodes[static_cast<std::size_t>(j)] >= 0) continue;
+      const Vec2 held = u.col(triangle.vertices[j]);
+      e.q += e.P.middleCols<2>(2 * j) * held;
+      e.g += e.G.middleCols<2>(2 * j) * held;
+    }
+  }
+  for (const Spring& spring : springs_) {
+    ConeElement& e = program[spring.triangle];
+    e.P.diagonal().segment<2>(2 * spring.corner).array() += 2 * spring.stiffness;
+    e.q.segment<2>(2 * spring.corner) -= 2 * spring.stiffness * targets.col(spring.handle);
+  }
+  return program;
+}
+
+Points ConformalSystem::moved(Points u, const Eigen::VectorXd& x) const {
+  for (std::size_t node = 0; node < vertex_of_node_.size(); ++node)
+    u.col(vertex_of_node_[node]) = x.segment<2>(2 * static_cast<Eigen::Index>(node));
+  return u;
+}
+
+std::optional<Points> ConformalSystem::unconstrained_minimum(const Points& u, const Points& targets,
+                                                             const std::stop_token& token) {
+  const bool follows_frame = find_quadratic(*density_)->follows_frame;
+  std::vector<TriangleTerm> terms(free_.size(), energy_term(1));
+  ConeProgram cost = program(u, targets, terms);
+  if (token.stop_requested()) return std::nullopt;
+  solver.factorize_cost(cost);
+  Points minimum = moved(u, solver.minimize_cost(cost));
+  for (int step = 1; follows_frame && step < kLocalGlobalSteps; ++step) {
+    if (token.stop_requested()) return std::nullopt;
+    const std::vector<ConformalParts> now = parts(minimum);
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      terms[t].z_target = direction_of(now[t].f_z, terms[t].z_target);
+    cost = program(u, targets, terms);
+    minimum = moved(u, solver.minimize_cost(cost));
+  }
+  return minimum;
+}
+
+bool ConformalSystem::are_held_triangles_bounded(const Points& u, double K) const {
+  return std::ranges::all_of(held_, [&](const Eigen::Vector3i& t) {
+    const Vec2 sigma = signed_singular_values(deformation_gradient(rest_, u, t));
+    return sigma[1] > 0 && sigma[0] <= K * sigma[1];
+  });
+}
+
+bool ConformalSystem::is_bounded(const Points& u, double K) const {
+  return std::ranges::all_of(free_, [&](const FreeTriangle& triangle) {
+    const Vec2 sigma = signed_singular_values(deformation_gradient(rest_, u, triangle.vertices));
+    return sigma[1] > 0 && sigma[0] <= K * sigma[1];
+  });
+}
+
+double ConformalSystem::energy(const Points& u) const {
+  double sum = 0;
+  for (const FreeTriangle& triangle : free_)
+    sum += triangle.area * density_->value(deformation_gradient(rest_, u, triangle.vertices));
+  for (const Eigen::Vector3i& t : held_)
+    sum += signed_area(rest_, t) * density_->value(deformation_gradient(rest_, u, t));
+  return sum;
+}
+
+Iteration ConformalSystem::record(const MeshPair& mesh, const Points& previous,
+                                  const Positions& positions) const {
+  const Quality quality = quality_of(mesh.triangles(), mesh.rest(), mesh.deformed());
+  Iteration iteration;
+  iteration.distortion_energy = iteration.energy = energy(mesh.deformed());
+  iteration.handle_error_squared = handle_error_squared(positions, mesh.deformed());
+  iteration.step_infinity_norm = (mesh.deformed() - previous).cwiseAbs().maxCoeff();
+  iteration.min_area_ratio = quality.min_area_ratio;
+  iteration.max_conformal_distortion = quality.max_conformal_distortion;
+  iteration.mean_conformal_distortion = quality.mean_conformal_distortion;
+  iteration.factorizations = solver.factorizations();
+  return iteration;
+}
+
+}  // namespace foldless

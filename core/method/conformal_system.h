@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/energy/positions.h"
+#include "core/iteration.h"
+#include "core/mesh/injective.h"
+#include "core/method/conformal_parts.h"
+#include "core/method/method.h"
+#include "core/solve/cone_program.h"
+
+namespace foldless {
+
+/// What one triangle of rest area A adds to a program in f_z and f_z̄: the cost
+/// A (z_weight |f_z − z_target|² + zbar_weight |f_z̄ − zbar_target|²) and the constraint
+/// R (Re f_z, Im f_z, Re f_z̄, Im f_z̄) ∈ Q.
+struct TriangleTerm {
+  double z_weight = 0;
+  double zbar_weight = 0;
+  Complex z_target = 0;
+  Complex zbar_target = 0;
+  Eigen::Matrix<double, 3, 4> R = Eigen::Matrix<double, 3, 4>::Zero();
+};
+
+/// What [Lip12] and [AL13] have in common: cone programs over the vertices of a mesh that have no
+/// hard handle, in components that have a handle. Hard handles are eliminated, soft ones are
+/// springs of stiffness α w. Triangles without such a vertex are not in the programs.
+class ConformalSystem {
+ public:
+  /// Throws Error when the energy is not quadratic in f_z and f_z̄ for a given direction of f_z,
+  /// or leaves a component free to grow: `method` is the name for the message.
+  ConformalSystem(const Problem& problem, std::string_view method);
+
+  /// Triangles with an unknown vertex: the entries of every list of terms or parts.
+  int triangle_count() const { return static_cast<int>(free_.size()); }
+  /// f_z and f_z̄ on these triangles.
+  std::vector<ConformalParts> parts(const Points& u) const;
+  /// The cost of the energy on a triangle; `frame` is the unit direction of f_z, which arap is
+  /// frozen at.
+  TriangleTerm energy_term(const Complex& frame) const;
+  /// u with the hard handles at the targets.
+  Points with_handles(Points u, const Points& targets) const;
+  /// The program of the terms, with held vertices where `u` has them, and the soft handles'
+  /// targets.
+  ConeProgram program(const Points& u, const Points& targets,
+                      const std::vector<TriangleTerm>& terms) const;
+  /// u with the unknowns replaced.
+  Points moved(Points u, const Eigen::VectorXd& x) const;
+  /// The minimiser of the energy with the handles at the targets; it may fold. Nothing when
+  /// cancelled.
+  std::optional<Points> unconstrained_minimum(const Points& u, const Points& targets,
+                                              const std::stop_token& token);
+  /// True when every triangle that the hard handles hold entirely has det J > 0 and σ₁/σ₂ ≤ K.
+  bool are_held_triangles_bounded(const Points& u, double K) const;
+  /// True when every triangle has det J > 0 and σ₁/σ₂ ≤ K, of those with an unknown vertex.
+  bool is_bounded(const Points& u, double K) const;
+  /// The distortion energy of a map, folded or not.
+  double energy(const Points& u) const;
+
+  /// The record of a move from one map to another.
+  Iteration record(const MeshPair& mesh, const Points& previous, const Positions& positions) const;
+
+  ConeSolver solver;
+
+ private:
+  struct FreeTriangle {
+    Eigen::Vector3i vertices;
+    std::array<int, 3> nodes;
+    double area;
+    Eigen::Matrix<double, 4, 6> B;  ///< (Re f_z, Im f_z, Re f_z̄, Im f_z̄) = B (corners)
+  };
+  /// A soft handle: where it acts, and how stiff it is.
+  struct Spring {
+    std::size_t triangle;
+    int corner;
+    int handle;
+    double stiffness;
+  };
+
+  void find_unknowns(const Problem& problem);
+  void add_springs(const Problem& problem);
+  std::vector<std::array<int, 3>> element_nodes() const;
+
+  const Density* density_;
+  Points rest_;
+  Triangles triangles_;
+  std::vector<int> node_of_vertex_;  ///< −1 where held or left alone
+  std::vector<int> vertex_of_node_;
+  std::vector<int> hard_vertices_;  ///< −1 for the soft among the handles
+  std::vector<FreeTriangle> free_;
+  std::vector<Eigen::Vector3i> held_;
+  std::vector<Spring> springs_;
+};
+
+}  // namespace foldless
