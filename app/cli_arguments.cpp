@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,8 @@ constexpr std::array kNumberOptions{
     NumberOption{"--eta", "eta", "smallest relative decrease of energy that flips an edge"},
     NumberOption{"--inner", "inner_iterations", "most iterations of the inner loop"},
     NumberOption{"--outer", "outer_iterations", "most rounds of the outer loop"},
+    NumberOption{"--bound", "distortion_bound",
+                 "bound K of \u03c3\u2081/\u03c3\u2082, for methods that have one"},
 };
 
 template <typename Rows>
@@ -42,6 +45,12 @@ std::string names_of(const Rows& rows) {
   std::string names;
   for (const auto& row : rows) names += (names.empty() ? "" : ", ") + std::string(row.name);
   return names;
+}
+
+std::string words_of(std::span<const std::string_view> words) {
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
+  return list;
 }
 
 template <typename Rows>
@@ -71,9 +80,18 @@ std::string sample() {
 
 /// The options of one call as text, until they are read.
 struct Texts {
-  std::string frames, size, view, layers, methods, only;
+  std::string frames, start, size, view, layers, methods, only;
   std::array<std::string, kNumberOptions.size()> numbers;
 };
+
+void read_start(const std::string& word, SolveCall& call) {
+  const ParameterKey& key = *find_parameter_key("start");
+  const auto index = index_of_word(key, word);
+  if (!index)
+    throw Error("--start " + in_quotes(word) +
+                " is unknown; choose one of: " + words_of(key.words));
+  call.parameters.push_back({std::string(key.name), *index});
+}
 
 void read_solve(const Texts& texts, SolveCall& call) {
   expect_name("--method", call.method, methods());
@@ -88,6 +106,7 @@ void read_solve(const Texts& texts, SolveCall& call) {
       throw Error(std::string(option.flag) + " " + *no + ", but is " + text);
     call.parameters.push_back({std::string(option.key), *value});
   }
+  if (!texts.start.empty()) read_start(texts.start, call);
   if (texts.frames == "all")
     call.frame_step = 1;
   else if (!texts.frames.empty())
@@ -166,6 +185,11 @@ CLI::App* add_solve(CLI::App& app, SolveCall& call, Texts& texts) {
   for (std::size_t i = 0; i < kNumberOptions.size(); ++i)
     solve->add_option(kNumberOptions[i].flag, texts.numbers[i], kNumberOptions[i].help)
         ->type_name("NUMBER");
+  solve
+      ->add_option(
+          "--start", texts.start,
+          "first frames of bounded-conformal: " + words_of(find_parameter_key("start")->words))
+      ->type_name("NAME");
   solve->add_option("--frames", texts.frames, "write all intermediate meshes, or every N-th")
       ->type_name("all|N");
   solve->add_flag("--render", call.render, "draw the result and every frame as PNG");

@@ -27,7 +27,9 @@ JsonNode parameters_node(const Problem& problem) {
   for (const ParameterKey& key : parameter_keys()) {
     // Only β may be absent: it then is the energy's own.
     const double value = key.get(problem.parameters).value_or(problem.energy->default_beta);
-    if (key.kind == ParameterKind::flag)
+    if (key.kind == ParameterKind::word)
+      object.emplace_back(key.name, node_of(key.words[static_cast<std::size_t>(value)]));
+    else if (key.kind == ParameterKind::flag)
       object.emplace_back(key.name, JsonNode{value != 0});
     else
       object.emplace_back(key.name, node_of(value));
@@ -97,7 +99,7 @@ JsonNode report_of(const Solved& solved) {
   const Snapshot& state = *solved.snapshot;
   const Iteration last = solved.iterations.empty() ? Iteration{} : solved.iterations.back();
   const Quality quality = quality_of(*state.triangles, *state.rest, state.deformed);
-  return {JsonNode::Object{
+  JsonNode::Object report{
       {"scene", node_of(solved.scene)},
       {"method", node_of(solved.problem.parameters.method)},
       {"parameters", parameters_node(solved.problem)},
@@ -123,10 +125,14 @@ JsonNode report_of(const Solved& solved) {
                          {"mean", node_of(quality.mean_conformal_distortion)}}}},
       {"min_area_ratio", node_of(quality.min_area_ratio)},
       {"inverted", node_of(inverted_triangles(state))},
+      {"folded", node_of(state.folded_triangles)},
+      {"branch_vertices", node_of(state.branch_vertices)},
       {"seconds", seconds_node(solved)},
       {"handles", handles_node(state.handles)},
       {"flipped_edges", edges_node(*state.flipped_edges)},
-  }};
+  };
+  if (!solved.verdict.empty()) report.emplace_back("verdict", node_of(solved.verdict));
+  return {std::move(report)};
 }
 
 }  // namespace foldless

@@ -16,8 +16,9 @@ struct Solved {
   Problem problem;    ///< what was solved
   int original_faces = 0;
   std::vector<Iteration> iterations;         ///< every record
-  std::shared_ptr<const Snapshot> snapshot;  ///< the last valid state
+  std::shared_ptr<const Snapshot> snapshot;  ///< the last state, see Run::snapshot
   Outcome outcome = Outcome::cancelled;
+  std::string verdict;  ///< of the method; may be empty
   bool satisfied = false;
   StageTimes times;
   double seconds = 0;       ///< processor time of solving

@@ -7,6 +7,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "app/cli.h"
@@ -81,8 +82,7 @@ class Loop {
   Loop(const SolveCall& call, Solved& solved, Results& results)
       : call_(call), solved_(solved), results_(results), progress_(!call.quiet && !call.json) {}
 
-  void finish(const Interrupt& interrupt) {
-    Run run = timed(solved_.seconds, [&] { return Run(solved_.problem); });
+  void finish(Run run, const Interrupt& interrupt) {
     take_frame(run.snapshot());
     while (!run.outcome() && !interrupt.is_requested()) {
       const std::optional<Iteration> record = timed(solved_.seconds, [&] { return run.step({}); });
@@ -94,6 +94,7 @@ class Loop {
     if (call_.frame_step && last_frame_ != run.snapshot()) results_.add_frame(*run.snapshot());
     solved_.snapshot = run.snapshot();
     solved_.outcome = run.outcome().value_or(Outcome::cancelled);
+    solved_.verdict = run.verdict();
     solved_.satisfied = run.is_satisfied();
     solved_.times = run.times();
   }
@@ -117,12 +118,18 @@ class Loop {
   std::shared_ptr<const Snapshot> last_frame_;
 };
 
+const char* standing_of(const Solved& solved) {
+  if (!solved.snapshot->is_valid()) return "the map is not locally injective";
+  return solved.satisfied ? "every handle is at its target" : "handles are not all reached";
+}
+
 void print_summary(const SolveCall& call, const Solved& solved) {
   const Iteration last = solved.iterations.empty() ? Iteration{} : solved.iterations.back();
-  std::cout << (solved.satisfied ? "every handle is at its target" : "handles are not all reached")
-            << " (" << name_of(solved.outcome) << "): " << last.updates << " updates, "
-            << last.factorizations << " factorizations, " << last.flips << " flips, "
-            << solved.seconds << " s; written to " << call.folder.string() << '\n';
+  std::cout << standing_of(solved) << " ("
+            << (solved.verdict.empty() ? name_of(solved.outcome) : std::string_view(solved.verdict))
+            << "): " << last.updates << " updates, " << last.factorizations << " factorizations, "
+            << last.flips << " flips, " << solved.seconds << " s; written to "
+            << call.folder.string() << '\n';
 }
 
 int status_of(const Solved& solved) {
@@ -142,9 +149,10 @@ int solve(const SolveCall& call) {
   solved.scene = call.scene.string();
   solved.problem = problem_of(scene);
   solved.original_faces = static_cast<int>(scene.triangles.cols());
+  Run run = timed(solved.seconds, [&] { return Run(solved.problem); });
   Results results(call.folder, figure_of(call, scene));
   if (!call.quiet) print_notices(loaded.notices);
-  Loop(call, solved, results).finish(interrupt);
+  Loop(call, solved, results).finish(std::move(run), interrupt);
   solved.wall_seconds = seconds_since(start);
   const JsonNode report = report_of(solved);
   results.finish(solved, report);

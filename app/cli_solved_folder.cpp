@@ -15,8 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void expect_injective(const fs::path& file, const Triangles& triangles, const Points& points) {
-  const InjectivityReport report = check_injectivity(triangles, points);
+void expect_injective(const fs::path& file, const InjectivityReport& report) {
   if (report.is_injective()) return;
   throw Error(file.string() + ": the mesh is folded (" + std::to_string(report.inverted) +
               " inverted and " + std::to_string(report.degenerate) + " degenerate triangles, " +
@@ -63,9 +62,13 @@ MeshFiles read_mesh_files(const fs::path& rest, const fs::path& deformed) {
 
 Snapshot read_pair(const fs::path& rest, const fs::path& deformed) {
   MeshFiles files = read_mesh_files(rest, deformed);
-  expect_injective(rest, files.rest.triangles, files.rest.points);
-  expect_injective(deformed, files.deformed.triangles, files.deformed.points);
+  const InjectivityChecker checker(files.rest.triangles,
+                                   static_cast<int>(files.rest.points.cols()));
+  expect_injective(rest, checker.check(files.rest.points));
+  const InjectivityReport report = checker.check(files.deformed.points);
   Snapshot snapshot;
+  snapshot.folded_triangles = report.inverted + report.degenerate;
+  snapshot.branch_vertices = report.branch_vertices;
   snapshot.original_vertices = static_cast<int>(files.rest.points.cols());
   snapshot.triangles = std::make_shared<const Triangles>(std::move(files.rest.triangles));
   snapshot.rest = std::make_shared<const Points>(std::move(files.rest.points));

@@ -17,7 +17,8 @@ struct MeshFiles {
 /// Reads both meshes of a map. Throws Error when their triangles are not the same.
 MeshFiles read_mesh_files(const std::filesystem::path& rest, const std::filesystem::path& deformed);
 
-/// A map from two mesh files, without handles. Throws Error when a mesh is not locally injective.
+/// A map from two mesh files, without handles. Throws Error when the rest mesh is not locally
+/// injective; where the deformed one is not, the snapshot says so.
 Snapshot read_pair(const std::filesystem::path& rest, const std::filesystem::path& deformed);
 
 /// What `solve` left in a folder: the map, and from the report handles, flipped edges and what

@@ -8,6 +8,8 @@ std::string_view name_of(Outcome outcome) {
     case Outcome::gradient: return "gradient";
     case Outcome::step: return "step";
     case Outcome::iteration_limit: return "iteration-limit";
+    case Outcome::infeasible: return "infeasible";
+    case Outcome::not_converged: return "not-converged";
     case Outcome::cancelled: return "cancelled";
   }
   return "";

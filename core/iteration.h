@@ -16,13 +16,16 @@ enum class Phase {
 
 /// How a run ended.
 enum class Outcome {
-  gradient,         ///< eq. 7: ‖∇E‖² < ε_g
-  step,             ///< eq. 8: the last update moved no vertex by ε_f or more
+  gradient,  ///< eq. 7: ‖∇E‖² < ε_g
+  step,      ///< eq. 8: the last update moved no vertex by ε_f or more, or gained too little
   iteration_limit,  ///< N_in or N_out reached
+  infeasible,       ///< proved: no map meets the constraints, see Method::verdict()
+  not_converged,    ///< ended without a map that meets them and without a proof
   cancelled         ///< stopped from outside; the last valid mesh stands
 };
 
-/// `gradient`, `step`, `iteration-limit`, `cancelled`: the words of report.json.
+/// `gradient`, `step`, `iteration-limit`, `infeasible`, `not-converged`, `cancelled`: the words of
+/// report.json.
 std::string_view name_of(Outcome outcome);
 /// The words of iterations.csv: those of the enumeration.
 std::string_view name_of(Phase phase);

@@ -25,8 +25,9 @@ struct Handle {
   bool operator==(const Handle&) const = default;
 };
 
-/// One valid state of a run, immutable and in input units: what the window, the files and the
-/// renderer may see. Arrays that seldom change are shared between snapshots.
+/// One state of a run, immutable and in input units: what the window, the files and the renderer
+/// may see. It is proved to be valid unless it says otherwise. Arrays that seldom change are shared
+/// between snapshots.
 struct Snapshot {
   std::uint64_t generation = 0;  ///< which load of the worker it belongs to
   std::uint64_t revision =
@@ -39,6 +40,12 @@ struct Snapshot {
   int original_vertices = 0;  ///< vertices with this index or more came from splits
   std::vector<Handle> handles;
   std::optional<Iteration> iteration;  ///< absent before the first update
+  /// What methods that may fold have made of M′, counted with exact predicates.
+  int folded_triangles = 0;  ///< clockwise or of no area
+  int branch_vertices = 0;   ///< interior vertices that unfolded triangles wind round twice
+
+  /// True when M′ is locally injective.
+  bool is_valid() const { return folded_triangles == 0 && branch_vertices == 0; }
 };
 
 }  // namespace foldless

@@ -61,6 +61,20 @@ void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, const CanvasColo
   mesh.draw_triangles();
 }
 
+void FillLayer::draw_folded(const Frame& frame, const MeshLayer& mesh,
+                            const glm::vec4& colour) const {
+  use_in_frame(fill_, frame);
+  fill_.set("box_size", glm::vec2(1));
+  fill_.set("square_size", 1.0F);
+  fill_.set("light", colour);
+  fill_.set("dark", colour);
+  fill_.set("is_textured", 0);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
+  mesh.draw_triangles();
+  glDisable(GL_CULL_FACE);
+}
+
 void FillLayer::upload_heat(const MeshLayer& mesh, const Distortion& distortion) {
   const std::vector<Colour> table = shades();
   const std::size_t rows = distortion.values.size() / kHeatWidth + 1;

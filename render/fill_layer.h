@@ -24,6 +24,8 @@ class FillLayer {
   /// `squares` of the checkerboard lie along the longer side of the rest mesh's box.
   void draw(const Frame& frame, const MeshLayer& mesh, const CanvasColours& colours,
             double squares) const;
+  /// The triangles that are clockwise on screen, in one colour: the folded ones.
+  void draw_folded(const Frame& frame, const MeshLayer& mesh, const glm::vec4& colour) const;
   /// One colour of viridis a triangle.
   void draw_heat(const Frame& frame, const MeshLayer& mesh, const Distortion& distortion);
 

@@ -50,6 +50,9 @@ void SceneRenderer::Parts::draw_inside(const Frame& frame, const Snapshot& snaps
   } else if (options.layers.fill) {
     fill.draw(frame, mesh, canvas_colours(options.theme), options.checker_squares);
   }
+  // Whatever layers are on: a map that is not valid shows it.
+  if (snapshot.folded_triangles > 0 && options.pose == Pose::deformed)
+    fill.draw_folded(frame, mesh, canvas_colours(options.theme).folded);
 }
 
 void SceneRenderer::Parts::draw_edges(const Frame& frame, const ViewOptions& options) const {

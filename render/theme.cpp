@@ -29,6 +29,7 @@ constexpr CanvasColours kDark{
     .target = rgb(0xFF5A5F),
     .flipped = rgb(0x1D5BFF),
     .casing = rgb(0xFFFFFF, 0.8F),
+    .folded = rgb(0xFFD500),
     .split = rgb(0xFF9417),
     .text = rgb(0xE6E9EE),
 };
@@ -47,6 +48,7 @@ constexpr CanvasColours kLight{
     .target = rgb(0xE5383B),
     .flipped = rgb(0x1549E0),
     .casing = rgb(0xFFFFFF, 0.8F),
+    .folded = rgb(0xFFCC00),
     .split = rgb(0xF07C00),
     .text = rgb(0x1F2A37),
 };
@@ -65,6 +67,7 @@ constexpr CanvasColours kContrast{
     .target = rgb(0xFF3D3D),
     .flipped = rgb(0x0037FF),
     .casing = rgb(0xFFFFFF, 0.8F),
+    .folded = rgb(0xFFFF00),
     .split = rgb(0xFF8A00),
     .text = rgb(0xFFFFFF),
 };

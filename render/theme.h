@@ -22,6 +22,7 @@ struct CanvasColours {
   glm::vec4 target;      ///< ghost ring and the line to it
   glm::vec4 flipped;     ///< flipped edges
   glm::vec4 casing;      ///< beside flipped edges, which would drown in a fill
+  glm::vec4 folded;      ///< triangles that are turned over, where a method allows them
   glm::vec4 split;       ///< vertices made by splits
   glm::vec4 text;        ///< numbers of the legend
 };

@@ -21,6 +21,7 @@ namespace foldless {
 struct Standing {
   std::optional<Outcome> outcome;  ///< nothing: the run had not ended
   bool satisfied = false;          ///< every handle that is not soft was at its target
+  std::string verdict;             ///< of the method; may be empty
 };
 
 /// Everything that undo restores: an immutable value whose large parts are shared between copies.

@@ -66,20 +66,23 @@ void Editor::take_newest() {
   const auto& newest = solving_.newest();
   if (!newest || newest == taken_) return;
   taken_ = newest;
-  document_.pose = adopted_pose(newest, *document_.pose);
+  const auto pose = adopted_pose(newest, *document_.pose);
+  folded_ = pose->is_valid() ? nullptr : pose;
+  if (pose->is_valid()) document_.pose = pose;
   refresh_shown();
 }
 
 void Editor::refresh_shown() {
   redraw();
+  const auto& newest = folded_ ? folded_ : document_.pose;
   if (document_.is_empty()) {
     shown_ = nullptr;
   } else if (old_pose_) {
     shown_ = old_pose_;
-  } else if (document_.pose->handles == document_.handles) {
-    shown_ = document_.pose;
+  } else if (newest->handles == document_.handles) {
+    shown_ = newest;
   } else {
-    auto with_handles = std::make_shared<Snapshot>(*document_.pose);
+    auto with_handles = std::make_shared<Snapshot>(*newest);
     with_handles->handles = document_.handles;
     shown_ = std::move(with_handles);
   }
@@ -87,7 +90,7 @@ void Editor::refresh_shown() {
 }
 
 void Editor::refresh_proof() {
-  const auto pose = old_pose_ ? old_pose_ : document_.pose;
+  const auto pose = old_pose_ ? old_pose_ : folded_ ? folded_ : document_.pose;
   if (pose == proved_) return;
   proved_ = pose;
   proof_ = pose ? proof_of(*pose) : Proof{};

@@ -273,6 +273,7 @@ class Editor {
 
   std::shared_ptr<const Snapshot> shown_;
   std::shared_ptr<const Snapshot> taken_;     ///< the solver's snapshot that the document has
+  std::shared_ptr<const Snapshot> folded_;    ///< what the solver shows but no document may keep
   std::shared_ptr<const Snapshot> proved_;    ///< the pose that proof_ is about
   std::shared_ptr<const Snapshot> old_pose_;  ///< the chosen iteration's, null without one
   std::optional<std::size_t> scrubbed_;

@@ -49,7 +49,10 @@ void Editor::use_race_lane(std::size_t index) {
   document.parameters = lane.parameters();
   restore(document);
   document_.standing.satisfied = lane.is_at_targets();
-  if (lane.is_at_end()) document_.standing.outcome = lane.outcome();
+  if (lane.is_at_end()) {
+    document_.standing.outcome = lane.outcome();
+    document_.standing.verdict = lane.verdict();
+  }
   const std::string label = "Use the result of " + lane.title();
   race_.close();
   commit(label);

@@ -13,21 +13,31 @@ namespace {
 /// Moves of one slider that follow each other this closely make one undo step. [s]
 constexpr double kMergeSeconds = 1;
 
+constexpr std::string_view kFoldedMapLeft =
+    "The map on screen was folded; the edit goes on from the last valid one";
+
 }  // namespace
 
 void Editor::begin_edit() {
   history_.refresh(document_);
   edit_ = Edit{document_, solving_.is_running()};
   if (!scrubbed_) return;
-  document_.handles = old_pose_->handles;
-  document_.pose = old_pose_;
+  if (old_pose_->is_valid()) {
+    document_.handles = old_pose_->handles;
+    document_.pose = old_pose_;
+  } else {
+    toast(ToastKind::notice, std::string(kFoldedMapLeft));
+  }
   leave_timeline();
   solving_.hold();
 }
 
 void Editor::apply(Document document, Change change) {
   document_ = std::move(document);
-  if (change != Change::appearance) document_.standing = {};
+  if (change != Change::appearance) {
+    document_.standing = {};
+    if (std::exchange(folded_, nullptr)) toast(ToastKind::notice, std::string(kFoldedMapLeft));
+  }
   if (change == Change::targets) targets_moved_ = true;
   if (change == Change::parameters) solving_.set_parameters(document_);
   if (change == Change::mesh) {
@@ -61,6 +71,7 @@ void Editor::restore(const Document& document) {
   document_ = document;
   targets_moved_ = false;
   taken_ = nullptr;
+  folded_ = nullptr;
   leave_timeline();
   solving_.hold();
   prune_selection();

@@ -169,7 +169,8 @@ bool Editor::save_as(const std::filesystem::path& path) {
   history_.refresh(document_);
   mark_saved();
   recent_.add(file);
-  toast(ToastKind::notice, "Saved " + file.filename().string());
+  toast(ToastKind::notice, "Saved " + file.filename().string() +
+                               (folded_ ? " with the last valid map, not the folded one" : ""));
   if (pending_ && !is_asking_) perform_pending();
   return true;
 }

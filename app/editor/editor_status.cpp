@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/editor/editor.h"
+#include "core/method/map_words.h"
 
 namespace foldless {
 namespace {
@@ -21,8 +22,25 @@ std::string solving_words(const Editor& editor) {
   return words;
 }
 
+std::string capitalised(std::string words) {
+  if (!words.empty() && 'a' <= words[0] && words[0] <= 'z') words[0] += 'A' - 'a';
+  return words;
+}
+
+/// What is wrong with a map of a method that may fold, before other words unless they say so.
+std::string marked(const Snapshot& shown, const std::string& words) {
+  InjectivityReport report;
+  report.inverted = shown.folded_triangles;
+  report.branch_vertices = shown.branch_vertices;
+  const std::string what = capitalised(words_on(report));
+  if (what.empty() || words.find(what.substr(1)) != std::string::npos) return words;
+  return what + ". " + words;
+}
+
 /// How a run that has ended by itself, or a restored document, stands.
 Status ended(const Document& document) {
+  const std::string& verdict = document.standing.verdict;
+  if (!verdict.empty()) return {StatusKind::blocked, capitalised(verdict)};
   if (is_at_targets(document)) return {StatusKind::converged, "Converged"};
   if (!document.standing.outcome || document.standing.outcome == Outcome::cancelled)
     return {StatusKind::stopped, "Stopped"};
@@ -59,6 +77,7 @@ Status in_words(const Editor& editor, const Solving& solving) {
 
 Status Editor::status() const {
   Status status = in_words(*this, solving_);
+  if (shown_) status.words = marked(*shown_, status.words);
   for (const HandleView& handle : handle_views())
     status.residual = std::max(status.residual, handle.residual);
   return status;

@@ -51,6 +51,8 @@ void Editor::leave_timeline() {
 void Editor::use_iteration() {
   cancel_gesture();
   if (!scrubbed_) return;
+  if (!old_pose_->is_valid())
+    return toast(ToastKind::error, "This iteration is folded; choose one that is not");
   const std::string label = "Use iteration " + std::to_string(*scrubbed_ + 1);
   begin_edit();
   document_.standing = {};

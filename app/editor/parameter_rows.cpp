@@ -12,7 +12,12 @@ template <auto Member>
 struct Access {
   using Value = std::remove_cvref_t<decltype(Parameters{}.*Member)>;
   static double get(const Parameters& p, const Density&) { return static_cast<double>(p.*Member); }
-  static void set(Parameters& p, double value) { p.*Member = static_cast<Value>(value); }
+  static void set(Parameters& p, double value) {
+    if constexpr (std::is_enum_v<Value>)
+      p.*Member = static_cast<Value>(static_cast<int>(value));
+    else
+      p.*Member = static_cast<Value>(value);
+  }
   static void reset(Parameters& p) { p.*Member = Parameters{}.*Member; }
 };
 
@@ -32,6 +37,16 @@ constexpr ParameterRow ranged(ParameterRow row, double minimum, double maximum,
   row.minimum = minimum;
   row.maximum = maximum;
   row.scale = scale;
+  return row;
+}
+
+/// Titles of StartFrames, in its order.
+constexpr std::array<std::string_view, 3> kStartTitles{"Rest", "Unconstrained", "Continuation"};
+
+constexpr ParameterRow chosen(ParameterRow row, std::span<const std::string_view> choices) {
+  row.maximum = static_cast<double>(choices.size() - 1);
+  row.scale = ParameterScale::choice;
+  row.choices = choices;
   return row;
 }
 
@@ -75,6 +90,15 @@ constexpr std::array kRows{
     row<&Parameters::area_weighted>("area_weighted", "Weight by area",
                                     "Large triangles count for more. Off: every triangle counts "
                                     "the same, Green strain only."),
+    chosen(row<&Parameters::start>("start", "Start frames",
+                                   "Bounded conformal distortion only: the rotations that its "
+                                   "first program is about. Continuation moves the handles in "
+                                   "steps; it is not in [Lip12] and goes much farther."),
+           kStartTitles),
+    ranged(row<&Parameters::distortion_bound>("distortion_bound", "Distortion bound K",
+                                              "Largest stretch ratio that bounded conformal "
+                                              "distortion and injective projection allow."),
+           1.01, 1e6, kLogarithmic),
 };
 
 }  // namespace

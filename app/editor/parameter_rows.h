@@ -13,8 +13,9 @@ namespace foldless {
 enum class ParameterScale {
   linear,
   logarithmic,
-  whole,  ///< integers
-  on_off  ///< 0 or 1
+  whole,   ///< integers
+  on_off,  ///< 0 or 1
+  choice   ///< the index of one of several words
 };
 
 /// One row of the solver panel.
@@ -28,6 +29,7 @@ struct ParameterRow {
   double (*get)(const Parameters&, const Density&);
   void (*set)(Parameters&, double);
   void (*reset)(Parameters&);
+  std::span<const std::string_view> choices = {};  ///< words for the interface, of a choice
 };
 
 /// Every number of Parameters, in the order of the panel.

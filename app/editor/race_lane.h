@@ -36,6 +36,8 @@ class RaceLane {
   bool has_ended() const;
   /// How it ended; nothing before that, or when it failed.
   std::optional<Outcome> outcome() const { return status_.outcome; }
+  /// One sentence of the method on that end; may be empty.
+  const std::string& verdict() const { return status_.verdict; }
   /// One sentence when the lane could not go on, else empty.
   const std::string& error() const { return status_.error; }
 

@@ -39,7 +39,7 @@ void Solving::load(const Document& document) {
   stopped_ = false;
   newest_ = nullptr;
   iterations_.clear();
-  status_ = {WorkerState::running, generation_, std::nullopt, false, {}};
+  status_ = {WorkerState::running, generation_, std::nullopt, {}, false, {}};
 }
 
 void Solving::move_targets(const Document& document) {

@@ -56,7 +56,7 @@ class Solving {
   /// Edits do not end the pause.
   bool is_paused() const { return paused_; }
   /// The end of the run, if it has ended.
-  Standing standing() const { return {status_.outcome, status_.satisfied}; }
+  Standing standing() const { return {status_.outcome, status_.satisfied, status_.verdict}; }
   /// One sentence when the run could not go on, else empty.
   const std::string& error() const { return status_.error; }
 

@@ -81,6 +81,15 @@ void draw_label(const ParameterRow& row, bool changed, const Look& look) {
   ImGui::TextUnformatted(row.title.data(), row.title.data() + row.title.size());
 }
 
+void draw_choice(const ParameterRow& row, double value, Editor& editor) {
+  const auto current = static_cast<std::size_t>(value);
+  if (!ImGui::BeginCombo("##value", row.choices[current].data())) return;
+  for (std::size_t k = 0; k < row.choices.size(); ++k)
+    if (ImGui::Selectable(row.choices[k].data(), k == current))
+      editor.set_parameter(row, static_cast<double>(k));
+  ImGui::EndCombo();
+}
+
 void draw_value(const ParameterRow& row, Editor& editor, float width, const Look& look) {
   const Document& document = editor.document();
   double value = row.get(document.parameters, *document.energy);
@@ -90,6 +99,7 @@ void draw_value(const ParameterRow& row, Editor& editor, float width, const Look
     return;
   }
   ImGui::SetNextItemWidth(width);
+  if (row.scale == ParameterScale::choice) return draw_choice(row, value, editor);
   if (draw_slider(row, value, look)) editor.set_parameter(row, value);
 }
 
@@ -99,6 +109,9 @@ std::string tooltip_words(const ParameterRow& row, const Density& energy) {
     words += default_of(row, energy) != 0 ? "on." : "off.";
     return words;
   }
+  if (row.scale == ParameterScale::choice)
+    return words + std::string(row.choices[static_cast<std::size_t>(default_of(row, energy))]) +
+           ".";
   return words + number_words(default_of(row, energy)) + ", from " + number_words(row.minimum) +
          " to " + number_words(row.maximum) + ". Ctrl-click to type a number.";
 }

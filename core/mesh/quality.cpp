@@ -8,16 +8,19 @@ namespace foldless {
 
 Quality quality_of(const Triangles& triangles, const Points& rest, const Points& deformed) {
   Quality quality{std::numeric_limits<double>::infinity(), 1, 0};
+  int unfolded = 0;
   for (const auto& t : triangles.colwise()) {
     // σ₂ from the areas: σ₁ − |σ₂| loses it to cancellation in needles.
     const double area_ratio = signed_area(deformed, t) / signed_area(rest, t);
+    quality.min_area_ratio = std::min(quality.min_area_ratio, area_ratio);
+    if (!(area_ratio > 0)) continue;
+    ++unfolded;
     const double sigma1 = signed_singular_values(deformation_gradient(rest, deformed, t))[0];
     const double conformal = sigma1 * sigma1 / area_ratio;
-    quality.min_area_ratio = std::min(quality.min_area_ratio, area_ratio);
     quality.max_conformal_distortion = std::max(quality.max_conformal_distortion, conformal);
     quality.mean_conformal_distortion += conformal;
   }
-  quality.mean_conformal_distortion /= static_cast<double>(triangles.cols());
+  quality.mean_conformal_distortion = unfolded ? quality.mean_conformal_distortion / unfolded : 1;
   return quality;
 }
 

@@ -5,14 +5,14 @@
 
 namespace foldless {
 
-/// How much a map distorts, over all triangles. [dimensionless]
+/// How much a map distorts. [dimensionless]
 struct Quality {
-  double min_area_ratio = 1;             ///< smallest A′/A
-  double max_conformal_distortion = 1;   ///< largest σ₁/σ₂
-  double mean_conformal_distortion = 1;  ///< mean σ₁/σ₂, every triangle counting the same
+  double min_area_ratio = 1;            ///< smallest A′/A, not positive where triangles fold
+  double max_conformal_distortion = 1;  ///< largest σ₁/σ₂ of the triangles that are not folded
+  double mean_conformal_distortion = 1;  ///< mean σ₁/σ₂ of these, all counting the same
 };
 
-/// Precondition: the mesh has a triangle and is locally injective.
+/// Precondition: the mesh has a triangle, and those at rest are positive.
 Quality quality_of(const Triangles& triangles, const Points& rest, const Points& deformed);
 
 }  // namespace foldless

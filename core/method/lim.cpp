@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/mesh/injective.h"
+#include "core/method/map_words.h"
 #include "core/method/record.h"
 #include "core/method/remeshing_assisted.h"
 #include "core/method/satisfied.h"
@@ -34,6 +36,7 @@ void Lim::set_targets(const Points& targets) {
   positions_.targets = targets;
   step_scale_ = 1;
   inner_ = 0;
+  verdict_.clear();
   if (system_.objective().unknowns().count() > 0) outcome_.reset();
 }
 
@@ -46,6 +49,7 @@ std::optional<Iteration> Lim::step(std::stop_token token) {
     system_.assemble_gradient(mesh_.deformed(), positions_);
     outcome_ = convergence(moved);
     if (!outcome_ && inner_ >= parameters_.inner_iterations) outcome_ = Outcome::iteration_limit;
+    if (outcome_) verdict_ = words_on(check_injectivity(mesh_.triangles(), mesh_.deformed()));
   }
   seconds_ += thread_seconds() - start;
   if (moved.cancelled) return std::nullopt;

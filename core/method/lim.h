@@ -13,7 +13,8 @@ namespace foldless {
 /// step are t p + (1 − t) C u with t = 1/(1 + μ²): sub-stepping.
 ///
 /// Triangles are tested where a step ends and not on the way: they stay positive, but a step may
-/// jump so far that they cover the surroundings of an interior vertex twice.
+/// jump so far that they cover the surroundings of an interior vertex twice, which verdict()
+/// says.
 /// The problem's rest mesh has a bounding-box diagonal of about 1.
 class Lim final : public Method {
  public:
@@ -22,6 +23,7 @@ class Lim final : public Method {
   std::unique_ptr<Method> clone() const override;
   std::optional<Iteration> step(std::stop_token token) override;
   std::optional<Outcome> outcome() const override { return outcome_; }
+  std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return mesh_; }
   void set_targets(const Points& targets) override;
   StageTimes times() const override { return system_.times; }
@@ -38,6 +40,7 @@ class Lim final : public Method {
   NewtonSystem system_;
 
   std::optional<Outcome> outcome_;
+  std::string verdict_;
   double step_scale_ = 1;  ///< first trial of the next line search, in (0, 1]
   int inner_ = 0;
   double seconds_ = 0;

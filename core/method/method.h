@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "core/energy/density.h"
@@ -36,7 +37,8 @@ struct Problem {
 ///
 /// Cancellation: step() notices the stop token between factorizations, returns nothing, and
 /// leaves the last valid mesh; calling step() again goes on from there.
-/// Every mesh that mesh() returns is locally injective.
+/// Every mesh that mesh() returns is locally injective, unless the row of methods() says that the
+/// method may fold.
 class Method {
  public:
   virtual ~Method() = default;
@@ -46,6 +48,8 @@ class Method {
   virtual std::optional<Iteration> step(std::stop_token token) = 0;
   /// How the run ended; nothing while step() can still make progress.
   virtual std::optional<Outcome> outcome() const = 0;
+  /// One sentence on how the run ended where outcome() does not say it all; may be empty.
+  virtual std::string verdict() const { return {}; }
 
   virtual const MeshPair& mesh() const = 0;
   /// Moves the targets, in the order of the problem's handles; an ended run begins again from

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/method/bounded_conformal.h"
 #include "core/method/foldless.h"
+#include "core/method/injective_projection.h"
 #include "core/method/lim.h"
 #include "core/method/remeshing_assisted.h"
 
@@ -30,7 +32,11 @@ constexpr std::array kMethods{
               start_remeshing_assisted<true, false>},
     MethodRow{"paper-noflip", "Remeshing-assisted, no flips", "JHT14",
               start_remeshing_assisted<false, false>},
-    MethodRow{"lim", "Locally injective mappings", "SKPSH13", start<Lim>},
+    MethodRow{"lim", "Locally injective mappings", "SKPSH13", start<Lim>, true},
+    MethodRow{"bounded-conformal", "Bounded conformal distortion", "Lip12", start<BoundedConformal>,
+              true},
+    MethodRow{"injective-projection", "Injective projection", "AL13", start<InjectiveProjection>,
+              true},
 };
 
 }  // namespace

@@ -15,6 +15,9 @@ struct MethodRow {
   std::string_view title;     ///< words for the interface
   std::string_view citation;  ///< key of the README's bibliography
   std::unique_ptr<Method> (*start)(Problem problem);  ///< problem: rest diagonal about 1, see Run
+  /// Meshes of the method may be folded or wind twice round a vertex, by its nature: they are
+  /// published, marked as what they are.
+  bool may_fold = false;
 };
 
 /// Every method of the program; the authority for names.

@@ -17,6 +17,11 @@ OriginalMesh original_of(const Problem& problem) {
       std::make_shared<const Triangles>(problem.mesh.triangles()), problem.mesh.vertex_count()});
 }
 
+bool may_fold(std::string_view method) {
+  const MethodRow* row = find_method(method);
+  return row && row->may_fold;
+}
+
 }  // namespace
 
 std::unique_ptr<Method> start_method(Problem problem) {
@@ -43,7 +48,9 @@ Iteration in_input_units(Iteration iteration, const Normalisation& normalisation
 }
 
 Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& start)
-    : energy_(problem.energy),
+    : start_(start),
+      may_fold_(may_fold(problem.parameters.method)),
+      energy_(problem.energy),
       parameters_(problem.parameters),
       handles_(problem.handles),
       original_(original_of(problem)),
@@ -63,7 +70,7 @@ Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& 
       original_edges_.flipped_in(problem.mesh.triangles()));
   common_.original_vertices = original_.vertices;
   publish(problem.mesh.deformed(), std::nullopt);
-  method_ = start(std::move(unit));
+  method_ = start_(std::move(unit));
 }
 
 // The mesh is built anew, so that its revision is its own.
@@ -90,9 +97,7 @@ std::optional<Iteration> Run::step(std::stop_token token) {
   iteration = in_input_units(*iteration, normalisation_);
   const MeshPair& mesh = method_->mesh();
   if (mesh.revision() != common_.revision) take_connectivity(mesh);
-  Points deformed = normalisation_.from_unit(mesh.deformed());
-  if (is_rest_injective_ && checker_.is_injective(deformed))
-    publish(std::move(deformed), iteration);
+  if (is_rest_injective_) publish(normalisation_.from_unit(mesh.deformed()), iteration);
   return iteration;
 }
 
@@ -108,14 +113,20 @@ void Run::take_connectivity(const MeshPair& mesh) {
 }
 
 void Run::publish(Points deformed, const std::optional<Iteration>& iteration) {
+  const InjectivityReport report = checker_.check(deformed);
+  if (!report.is_injective() && !(may_fold_ && deformed.allFinite())) return;
   auto next = std::make_shared<Snapshot>(common_);
+  next->folded_triangles = report.inverted + report.degenerate;
+  next->branch_vertices = report.branch_vertices;
   next->deformed = std::move(deformed);
   next->handles = handles_;
   next->iteration = iteration;
   snapshot_ = std::move(next);
+  if (snapshot_->is_valid()) valid_ = snapshot_;
 }
 
 bool Run::is_satisfied() const {
+  if (!snapshot_->is_valid()) return false;
   const double error = handle_error_squared(positions_of(handles_), snapshot_->deformed);
   return error <= kSatisfied * diagonal_ * diagonal_;
 }
@@ -123,14 +134,24 @@ bool Run::is_satisfied() const {
 void Run::set_targets(const Points& targets) {
   for (std::size_t i = 0; i < handles_.size(); ++i)
     handles_[i].target = targets.col(static_cast<Eigen::Index>(i));
-  method_->set_targets(normalisation_.to_unit(targets));
-  auto next = std::make_shared<Snapshot>(*snapshot_);
+  if (snapshot_->is_valid()) {
+    method_->set_targets(normalisation_.to_unit(targets));
+    snapshot_ = with_new_targets(*snapshot_);
+    valid_ = snapshot_;
+    return;
+  }
+  snapshot_ = valid_ = with_new_targets(*valid_);
+  method_ = start_(normalised(resumed()));
+}
+
+std::shared_ptr<const Snapshot> Run::with_new_targets(const Snapshot& snapshot) const {
+  auto next = std::make_shared<Snapshot>(snapshot);
   next->handles = handles_;
-  snapshot_ = std::move(next);
+  return next;
 }
 
 Problem Run::resumed() const {
-  return {MeshPair(*snapshot_->triangles, *snapshot_->rest, snapshot_->deformed), energy_, handles_,
+  return {MeshPair(*valid_->triangles, *valid_->rest, valid_->deformed), energy_, handles_,
           parameters_, original_};
 }
 

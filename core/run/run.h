@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "core/mesh/injective.h"
@@ -23,7 +24,8 @@ using MethodStarter = std::function<std::unique_ptr<Method>(Problem problem)>;
 std::unique_ptr<Method> start_method(Problem problem);
 
 /// A method on a problem in input units: normalises, steps, and turns what it reaches into
-/// snapshots in input units that were proved locally injective with exact predicates.
+/// snapshots in input units that were proved locally injective with exact predicates; where the
+/// method may fold, a snapshot says what is wrong with it.
 /// Not thread-safe: one thread at a time may call it.
 class Run {
  public:
@@ -34,21 +36,27 @@ class Run {
 
   /// One vertex update, its record in input units; see Method::step for cancellation. With s the
   /// scale of normalisation(): energies, ‖∇E‖² and ‖P‖² are divided by s², lengths by s; μ, ratios
-  /// and counters are the same in both frames. A mesh that rounding to input units folds is not
-  /// published: its record is returned, but snapshot() stays what it was.
+  /// and counters are the same in both frames. A mesh that is not locally injective in input units
+  /// is not published, unless the method may fold and its rest mesh is: the record is returned, but
+  /// snapshot() stays what it was.
   std::optional<Iteration> step(std::stop_token token);
   /// How the run ended; nothing while it can go on.
   std::optional<Outcome> outcome() const { return method_->outcome(); }
-  /// True when in snapshot() every handle that is not soft is at its target: ‖P‖² ≤ 1e-10 D².
+  /// One sentence on that end where the outcome does not say it all; may be empty.
+  std::string verdict() const { return method_->verdict(); }
+  /// True when snapshot() is valid and has every handle that is not soft at its target:
+  /// ‖P‖² ≤ 1e-10 D².
   bool is_satisfied() const;
 
-  /// Moves the targets, in the order of the problem's handles (input units, 2 × #handles).
+  /// Moves the targets, in the order of the problem's handles (input units, 2 × #handles). From a
+  /// folded map the run begins anew at the last valid one.
   void set_targets(const Points& targets);
   const std::vector<Handle>& handles() const { return handles_; }
 
-  /// The last state that is valid in input units, with the newest targets; never null.
+  /// The last state that was published, with the newest targets; never null. It is valid in input
+  /// units, or marked as not when the method may fold.
   std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
-  /// The problem that goes on from snapshot().
+  /// The problem that goes on from the last valid state.
   Problem resumed() const;
   /// The frame that the method works in.
   const Normalisation& normalisation() const { return normalisation_; }
@@ -59,7 +67,10 @@ class Run {
   Problem normalised(const Problem& problem);
   void take_connectivity(const MeshPair& mesh);
   void publish(Points deformed, const std::optional<Iteration>& iteration);
+  std::shared_ptr<const Snapshot> with_new_targets(const Snapshot& snapshot) const;
 
+  const MethodStarter start_;
+  bool may_fold_;
   const Density* energy_;
   Parameters parameters_;
   std::vector<Handle> handles_;
@@ -72,6 +83,7 @@ class Run {
   Snapshot common_;  ///< what every snapshot of one connectivity has in common
   std::unique_ptr<Method> method_;
   std::shared_ptr<const Snapshot> snapshot_;
+  std::shared_ptr<const Snapshot> valid_;  ///< the last that was valid
 };
 
 /// A record of the normalised problem in input units; see Run::step.

@@ -220,6 +220,7 @@ void Worker::publish_status() {
   if (run_) {
     status.satisfied = run_->is_satisfied();
     if (mode_ != WorkerMode::idle) status.outcome = run_->outcome();
+    if (status.outcome) status.verdict = run_->verdict();
     if (status.outcome)
       status.state = WorkerState::finished;
     else if (can_iterate())

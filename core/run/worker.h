@@ -36,6 +36,7 @@ struct WorkerStatus {
   WorkerState state = WorkerState::idle;
   std::uint64_t generation = 0;    ///< of the newest load that the worker has taken up
   std::optional<Outcome> outcome;  ///< when finished
+  std::string verdict;             ///< of the method, when finished; may be empty
   bool satisfied = false;          ///< every handle that is not soft is at its target
   std::string error;               ///< one sentence when the run could not go on, else empty
   bool is_current = true;          ///< false: a message waits that the worker has not taken up
@@ -55,7 +56,7 @@ struct WorkerOptions {
 /// messages are taken before the next iteration begins. A running iteration is cancelled for load,
 /// stop, set_targets and set_parameters, noticed between factorizations; an iteration that follows
 /// a cancelled one is left to end for new targets and parameters, so that a stream of them cannot
-/// hold up the solver. Whatever is cancelled, the newest snapshot is a valid mesh. `wake` is
+/// hold up the solver. Whatever is cancelled, the newest snapshot stands. `wake` is
 /// called on the solver thread after something new can be read, until the destructor has returned;
 /// it must neither block nor throw.
 class Worker {
@@ -84,7 +85,8 @@ class Worker {
   /// At most this many iterations a second, > 0; nothing: as fast as it goes. step() does not wait.
   void set_pace(std::optional<double> iterations_per_second);
 
-  /// The newest valid snapshot, or null before the first load was taken up.
+  /// The newest snapshot, or null before the first load was taken up: valid, or marked as not when
+  /// the method may fold.
   std::shared_ptr<const Snapshot> latest() const { return snapshots_.latest(); }
   WorkerStatus status() const;
   /// The iterations begun since the last load() or clear_timeline(), complete and in order, from

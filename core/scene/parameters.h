@@ -6,6 +6,13 @@
 
 namespace foldless {
 
+/// Where the rotations come from that the first cone program of [Lip12] is convex about.
+enum class StartFrames {
+  rest,           ///< none: the rest state
+  unconstrained,  ///< those of the energy's minimiser without constraints, which may fold
+  continuation    ///< those of the map before, while the handles move to their targets in steps
+};
+
 /// The knobs of the solver, the paper's defaults (section 5). Constants that are not
 /// dimensionless hold for a rest mesh whose bounding-box diagonal is about 1: the solver
 /// normalises every scene before it solves it.
@@ -21,6 +28,8 @@ struct Parameters {
   double step_tolerance = 1e-8;      ///< ε_f of eq. 8, in bounding-box diagonals
   bool condition_test = true;        ///< cancel flips that raise cond, eq. 10
   bool area_weighted = true;         ///< false: green-strain sums ψ without A_t, as [SKPSH13]
+  StartFrames start = StartFrames::continuation;  ///< bounded-conformal only
+  double distortion_bound = 100;                  ///< K ≥ σ₁/σ₂ of [Lip12] and [AL13], > 1
 
   bool operator==(const Parameters&) const = default;
 };

@@ -101,11 +101,20 @@ class SceneReader {
   }
 
   void read_parameter(const ParameterKey& key, const JsonValue& value) {
+    if (key.kind == ParameterKind::word) return read_word(key, value);
     const bool is_flag = key.kind == ParameterKind::flag;
     const double number = is_flag ? (value.boolean() ? 1 : 0) : value.number();
     if (const auto wrong = objection(key, number))
       value.refuse("is " + value.shown() + ", but " + *wrong);
     key.set(scene_.parameters, number);
+  }
+
+  void read_word(const ParameterKey& key, const JsonValue& value) {
+    const auto index = index_of_word(key, value.text());
+    if (!index)
+      value.refuse("is " + value.shown() + ", which is unknown; known are " +
+                   listed({key.words.begin(), key.words.end()}));
+    key.set(scene_.parameters, *index);
   }
 
   void read_mesh_of(const JsonValue& mesh) {

@@ -55,6 +55,13 @@ JsonNode handles_node(const std::vector<Handle>& handles) {
   return {std::move(array)};
 }
 
+JsonNode parameter_node(const ParameterKey& key, double value) {
+  if (key.kind == ParameterKind::flag) return {value != 0};
+  if (key.kind == ParameterKind::word)
+    return {std::string(key.words[static_cast<std::size_t>(value)])};
+  return {value};
+}
+
 JsonNode solver_node(const Parameters& parameters) {
   const Parameters defaults;
   JsonNode::Object object;
@@ -63,8 +70,7 @@ JsonNode solver_node(const Parameters& parameters) {
   for (const ParameterKey& key : parameter_keys()) {
     const auto value = key.get(parameters);
     if (value == key.get(defaults)) continue;
-    const bool is_flag = key.kind == ParameterKind::flag;
-    object.emplace_back(key.name, is_flag ? JsonNode{*value != 0} : JsonNode{*value});
+    object.emplace_back(key.name, parameter_node(key, *value));
   }
   return {std::move(object)};
 }

@@ -179,5 +179,32 @@ TEST(FillLayer, HeatHoldsForMoreTrianglesThanOneRowOfTheColourTable) {
   EXPECT_GT(test::place_on_viridis(canvas.pixel(image, 39.4, 39.5)), 0.5);
 }
 
+TEST(FillLayer, FoldedTrianglesAreOneColourWhateverLayersAreOn) {
+  Snapshot snapshot = undeformed(test::unit_square());
+  snapshot.deformed.col(3) = Vec2(0.9, 0.3);  // triangle (0, 2, 3) lies over (0, 1, 2)
+  snapshot.folded_triangles = 1;
+  Canvas canvas(100, 100, 100);
+  ViewOptions options = bare_view();
+  for (const bool is_filled : {true, false}) {
+    options.layers.fill = is_filled;
+    for (const Theme theme : {Theme::dark, Theme::light, Theme::contrast}) {
+      options.theme = theme;
+      const glm::vec4& yellow = canvas_colours(theme).folded;
+      const Image image = canvas.draw(snapshot, options);
+      EXPECT_LE(difference(canvas.pixel(image, 0.65, 0.45), yellow), 1);
+      EXPECT_GT(difference(canvas.pixel(image, 0.8, 0.1), yellow), 50) << "not folded";
+      EXPECT_GT(yellow.r, 0.8F);
+      EXPECT_GT(yellow.g, 0.7F);
+      EXPECT_LT(yellow.b, 0.2F);
+    }
+  }
+  snapshot.deformed = *snapshot.rest;
+  snapshot.folded_triangles = 0;
+  options.layers.fill = true;
+  EXPECT_GT(difference(canvas.pixel(canvas.draw(snapshot, options), 0.65, 0.45),
+                       canvas_colours(options.theme).folded),
+            50);
+}
+
 }  // namespace
 }  // namespace foldless

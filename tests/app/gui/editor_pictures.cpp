@@ -8,6 +8,7 @@
 
 #include "app/gui/samples.h"
 #include "core/data_path.h"
+#include "tests/app/gui/folding_document.h"
 #include "tests/app/gui/headless_editor.h"
 
 namespace foldless::test {
@@ -136,6 +137,30 @@ void draw_comparisons(const std::filesystem::path& folder) {
   shoot("race-narrow-200.png");
 }
 
+/// What methods that may fold show and say.
+void draw_folded(const std::filesystem::path& folder) {
+  HeadlessEditor headless;
+  Editor& editor = headless.editor();
+  open_folding_disk(headless, "injective-projection");
+  for (const char* name : {"folded-1.png", "folded-2.png"}) {
+    const std::size_t done = editor.iterations().size();
+    editor.step_forward();
+    headless.wait_until([&] { return editor.iterations().size() > done; }, 20);
+    headless.calm_down();
+    save_png(folder / name, headless.picture());
+  }
+  headless.ui().settings().theme = Theme::light;
+  editor.toggle_pause();
+  headless.wait_until([&] { return !editor.is_solving(); }, 20);
+  headless.calm_down();
+  save_png(folder / "unfolded-light.png", headless.picture());
+  editor.set_method("bounded-conformal");
+  editor.set_parameter(*find_parameter_row("start"), 0);
+  headless.wait_until([&] { return !editor.is_solving(); }, 20);
+  headless.settle();
+  save_png(folder / "infeasible-light.png", headless.picture());
+}
+
 /// A handle that cannot get through, and what the editor says to it.
 void draw_stuck(const std::filesystem::path& folder) {
   HeadlessEditor headless;
@@ -185,6 +210,7 @@ int main(int argc, char** argv) {
     foldless::test::draw_hidpi(argv[1]);
     foldless::test::draw_comparisons(argv[1]);
     foldless::test::draw_stuck(argv[1]);
+    foldless::test::draw_folded(argv[1]);
   } catch (const std::exception& error) {
     std::cerr << "editor_pictures: " << error.what() << '\n';
     return EXIT_FAILURE;

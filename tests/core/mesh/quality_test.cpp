@@ -29,5 +29,15 @@ TEST(Quality, MeasuresAStretchOfOneTriangle) {
   EXPECT_NEAR(q.mean_conformal_distortion, (s[0] / s[1] + 1) / 2, 1e-12);
 }
 
+TEST(Quality, FoldedTrianglesShowInTheAreaRatioAlone) {
+  const test::Fixture f = test::unit_square();
+  Points deformed = f.rest;
+  deformed.col(3) = Vec2(0.75, 0.25);
+  const Quality q = quality_of(f.triangles, f.rest, deformed);
+  EXPECT_LT(q.min_area_ratio, 0);
+  EXPECT_EQ(q.max_conformal_distortion, 1);
+  EXPECT_EQ(q.mean_conformal_distortion, 1);
+}
+
 }  // namespace
 }  // namespace foldless

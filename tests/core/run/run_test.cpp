@@ -180,6 +180,54 @@ TEST(Run, NeverPublishesAFoldedMesh) {
   EXPECT_EQ(refused, 13);
 }
 
+/// A corner is folded over in the second iteration and back in the fourth.
+std::shared_ptr<Script> folding_script() {
+  const auto script = std::make_shared<Script>();
+  script->change = [](MeshPair& mesh, int k) {
+    displace(mesh, 24, Vec2(1e-3, 0));
+    if (k == 2) displace(mesh, 6, Vec2(0.9, 0.9));
+    if (k == 4) displace(mesh, 6, Vec2(-0.9, -0.9));
+  };
+  return script;
+}
+
+TEST(Run, PublishesAndMarksTheFoldedMeshesOfMethodsThatMayFold) {
+  Problem problem = grid_problem(5, Vec2(5, 5));
+  problem.parameters.method = "injective-projection";
+  foldless::Run run(problem, 0, starter_of(folding_script()));
+  for (int k = 1; k <= 4; ++k) {
+    const auto before = run.snapshot();
+    ASSERT_TRUE(run.step({}));
+    const Snapshot& now = *run.snapshot();
+    EXPECT_NE(run.snapshot(), before);
+    EXPECT_EQ(now.is_valid(), is_injective(*now.triangles, now.deformed)) << k;
+    EXPECT_EQ(now.is_valid(), k == 1 || k == 4) << k;
+    EXPECT_EQ(now.folded_triangles > 0, k == 2 || k == 3) << k;
+    EXPECT_FALSE(run.is_satisfied() && !now.is_valid());
+    const Problem next = run.resumed();
+    EXPECT_TRUE(is_injective(next.mesh.triangles(), next.mesh.deformed()));
+  }
+}
+
+TEST(Run, NewTargetsOnAFoldedMapBeginAgainAtTheLastValidOne) {
+  Problem problem = grid_problem(5, Vec2(5, 5));
+  problem.parameters.method = "injective-projection";
+  foldless::Run run(problem, 0, starter_of(folding_script()));
+  run.step({});
+  const Points valid = run.snapshot()->deformed;
+  run.step({});
+  ASSERT_FALSE(run.snapshot()->is_valid());
+  Points targets(2, 2);
+  targets << 0, 3,  //
+      0, 3;
+  run.set_targets(targets);
+  EXPECT_TRUE(run.snapshot()->is_valid());
+  EXPECT_EQ(run.snapshot()->deformed, valid);
+  EXPECT_EQ(run.snapshot()->handles[1].target, Vec2(3, 3));
+  ASSERT_TRUE(run.step({}));
+  EXPECT_TRUE(run.snapshot()->is_valid()) << "the method was started anew";
+}
+
 TEST(Run, RefusesWhatOnlyRoundingToInputUnitsFolds) {
   // Far from the origin one ulp is 0.125: what is fine in the solver's frame collapses there.
   const auto script = std::make_shared<Script>();

@@ -13,6 +13,7 @@ TEST(ParameterKeys, SetWhatTheyGet) {
     Parameters parameters;
     const double value = key.kind == ParameterKind::whole  ? 17
                          : key.kind == ParameterKind::flag ? 0
+                         : key.kind == ParameterKind::word ? 1
                                                            : 0.375;
     key.set(parameters, value);
     EXPECT_EQ(key.get(parameters), value) << key.name;
@@ -20,6 +21,13 @@ TEST(ParameterKeys, SetWhatTheyGet) {
     EXPECT_EQ(find_parameter_key(key.name), &key);
   }
   EXPECT_EQ(find_parameter_key("gamma"), nullptr);
+}
+
+TEST(ParameterKeys, WordsHaveAnIndexEach) {
+  const ParameterKey& start = *find_parameter_key("start");
+  EXPECT_EQ(index_of_word(start, "rest"), 0);
+  EXPECT_EQ(index_of_word(start, "continuation"), static_cast<double>(StartFrames::continuation));
+  EXPECT_FALSE(index_of_word(start, "later"));
 }
 
 TEST(ParameterKeys, AllowTheDefaults) {

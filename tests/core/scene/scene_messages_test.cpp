@@ -16,6 +16,11 @@ TEST(SceneMessages, NameUnknownWords) {
   EXPECT_EQ(folder.error_with(R"("solver": {"method": "magic"})"),
             "scene.json:2: solver.method is 'magic', which is unknown; known are paper-flip, "
             "paper-noflip");
+  EXPECT_EQ(folder.error_with(R"("solver": {"start": "later"})"),
+            "scene.json:2: solver.start is 'later', which is unknown; known are rest, "
+            "unconstrained, continuation");
+  EXPECT_EQ(folder.error_with(R"("solver": {"distortion_bound": 1})"),
+            "scene.json:2: solver.distortion_bound is 1, but must be a number greater than 1");
   EXPECT_EQ(
       folder.error_with(R"("colour": "red")"),
       "scene.json:2: 'colour' = 'red' is an unknown key; known keys are version, description, "

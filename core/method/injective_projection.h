@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/method/conformal_system.h"
+
+namespace foldless {
+
+/// Injective and bounded distortion mappings [AL13], its 2D form: one quadratic program a step.
+/// From the energy's minimiser with the handles at their targets, which may fold, each step goes to
+/// the map nearest to the one before, Σ A‖J(u) − J(u_n)‖², subject to Cu = p and, on every
+/// triangle, Re(e^{−i arg f_z̄} f_z̄) ≤ k Re(e^{−i arg f_z} f_z): the half-plane that supports
+/// {σ₁/σ₂ ≤ K, det J ≥ 0} at its point nearest to J(u_n).
+///
+/// Its maps are folded until it has converged, if it does, and then may wind twice round interior
+/// vertices. The problem's rest mesh has a bounding-box diagonal of about 1.
+class InjectiveProjection final : public Method {
+ public:
+  /// Throws Error when the energy is none of dirichlet, lscm and arap, or cannot hold a part of
+  /// the mesh.
+  explicit InjectiveProjection(Problem problem);
+
+  std::unique_ptr<Method> clone() const override;
+  std::optional<Iteration> step(std::stop_token token) override;
+  std::optional<Outcome> outcome() const override { return outcome_; }
+  std::string verdict() const override { return verdict_; }
+  const MeshPair& mesh() const override { return mesh_; }
+  void set_targets(const Points& targets) override;
+  StageTimes times() const override { return system_.solver.times(); }
+
+ private:
+  void begin();
+  bool advance(const std::stop_token& token);
+  bool project(const std::stop_token& token);
+  std::vector<TriangleTerm> half_planes() const;
+  void judge(double step_squared);
+  void end(Outcome outcome, std::string verdict);
+
+  MeshPair mesh_;
+  Parameters parameters_;
+  Positions positions_;
+  ConformalSystem system_;
+  InjectivityChecker checker_;
+
+  std::optional<Outcome> outcome_;
+  std::string verdict_;
+  bool has_minimum_ = false;  ///< u₀ was found
+  int programs_ = 0;          ///< since u₀
+  int updates_ = 0;
+  double seconds_ = 0;
+};
+
+}  // namespace foldless
