@@ -2,6 +2,7 @@
 #include "app/bench/bench_run.h"
 
 #include <exception>
+#include <limits>
 
 #include "core/energy/positions.h"
 #include "core/mesh/injective.h"
@@ -12,6 +13,8 @@
 
 namespace foldless {
 namespace {
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 Problem problem_of(const BenchJob& job) {
   const Scene& scene = job.scene->scene;
@@ -38,7 +41,10 @@ void measure(const Density& energy, const Snapshot& state, BenchRow& row) {
   row.is_valid = is_injective(*state.triangles, *state.rest, state.deformed);
   row.handle_error_squared = handle_error_squared(positions_of(state.handles), state.deformed);
   row.distortion_energy = distortion_energy(energy, state);
-  if (!row.is_valid) return;
+  if (!row.is_valid) {
+    row.max_conformal_distortion = row.mean_conformal_distortion = kUndefined;
+    return;
+  }
   const Quality quality = quality_of(*state.triangles, *state.rest, state.deformed);
   row.max_conformal_distortion = quality.max_conformal_distortion;
   row.mean_conformal_distortion = quality.mean_conformal_distortion;

@@ -31,11 +31,11 @@ struct BenchRow {
   Iteration last;                ///< counters, eq. 7 and 8 of the last record
   double seconds = 0;            ///< processor time of the run's thread
   double distortion_energy = 0;  ///< E_d of the last state
-  double handle_error_squared = 0;  ///< ‖P‖² of the last state
-  double diagonal = 1;              ///< D of the rest mesh
-  double max_conformal_distortion = 1;
-  double mean_conformal_distortion = 1;
-  std::vector<Iteration> iterations;  ///< every record
+  double handle_error_squared = 0;       ///< ‖P‖² of the last state
+  double diagonal = 1;                   ///< D of the rest mesh
+  double max_conformal_distortion = 1;   ///< not a number where the map is not valid
+  double mean_conformal_distortion = 1;  ///< likewise
+  std::vector<Iteration> iterations;     ///< every record
 
   bool has_reached() const { return is_satisfied && is_valid && outcome != "time-limit"; }
   double relative_handle_error() const { return handle_error_squared / (diagonal * diagonal); }

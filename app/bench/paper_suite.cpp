@@ -62,24 +62,30 @@ std::string title_of(std::string_view scene) {
   return title;
 }
 
+/// M/A.
+std::string distortions_of(const BenchRow& run) {
+  if (!run.is_valid) return "folded";
+  return number_text(run.max_conformal_distortion) + "/" +
+         number_text(run.mean_conformal_distortion);
+}
+
 std::vector<std::string> cells_of(const PaperRow& row, const BenchRow& run) {
   const PaperFigures& paper = row.paper;
-  return {
-      title_of(run.scene) + " (" + std::to_string(run.vertices) + "V/" + std::to_string(run.faces) +
-          "F; " + run.energy + ")",
-      std::string(row.label),
-      std::string(row.method),
-      number_text(row.delta, 1) + "/" + (row.eta ? number_text(*row.eta, 1) : "No"),
-      number_text(run.max_conformal_distortion) + "/" + number_text(run.mean_conformal_distortion),
-      number_text(run.handle_error_squared, 2),
-      convergence_of(run),
-      std::to_string(run.last.factorizations) + "/" + std::to_string(run.last.updates),
-      number_text(run.seconds, 2),
-      pair_text(or_dash(paper.max_distortion), or_dash(paper.mean_distortion)),
-      or_dash(paper.handle_error_squared, 2),
-      paper.convergence == 0 ? "—" : std::string(1, paper.convergence),
-      pair_text(or_dash(paper.factorizations), or_dash(paper.updates)),
-      or_dash(paper.seconds, 2)};
+  return {title_of(run.scene) + " (" + std::to_string(run.vertices) + "V/" +
+              std::to_string(run.faces) + "F; " + run.energy + ")",
+          std::string(row.label),
+          std::string(row.method),
+          number_text(row.delta, 1) + "/" + (row.eta ? number_text(*row.eta, 1) : "No"),
+          distortions_of(run),
+          number_text(run.handle_error_squared, 2),
+          convergence_of(run),
+          std::to_string(run.last.factorizations) + "/" + std::to_string(run.last.updates),
+          number_text(run.seconds, 2),
+          pair_text(or_dash(paper.max_distortion), or_dash(paper.mean_distortion)),
+          or_dash(paper.handle_error_squared, 2),
+          paper.convergence == 0 ? "—" : std::string(1, paper.convergence),
+          pair_text(or_dash(paper.factorizations), or_dash(paper.updates)),
+          or_dash(paper.seconds, 2)};
 }
 
 /// A curve of Figure 13, in the paper's colours.

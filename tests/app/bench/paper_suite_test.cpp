@@ -58,11 +58,15 @@ TEST(PaperSuite, Table1SetsOurFiguresBesideThePapers) {
   BenchRow row;
   row.job = 0;
   row.scene = suite.scenes[0].name;
+  row.is_valid = true;
   row.outcome = "step";
   row.last.factorizations = 12;
   row.last.updates = 5;
   const std::string text = table1(suite, std::vector{row}).csv();
   EXPECT_NE(text.find(",S,12/5,"), std::string::npos) << text;
+  EXPECT_EQ(text.find("folded"), std::string::npos) << text;
+  row.is_valid = false;
+  EXPECT_NE(table1(suite, std::vector{row}).csv().find(",folded,"), std::string::npos);
   EXPECT_NE(text.find(",81.4/8.40,3.9e-14,G,187/77,0.41"), std::string::npos) << text;
 }
 
