@@ -27,6 +27,8 @@ Parameters parameters_of(const PaperRow& row, Parameters parameters) {
   parameters.delta = row.delta;
   if (row.eta) parameters.eta = *row.eta;
   parameters.condition_test = row.condition_test;
+  if (row.distortion_bound) parameters.distortion_bound = *row.distortion_bound;
+  parameters.start = row.start;
   return parameters;
 }
 
@@ -69,13 +71,19 @@ std::string distortions_of(const BenchRow& run) {
          number_text(run.mean_conformal_distortion);
 }
 
+/// δ/η, or the bound of the methods that have one.
+std::string knobs_of(const PaperRow& row) {
+  if (row.distortion_bound) return "K " + number_text(*row.distortion_bound);
+  return number_text(row.delta, 1) + "/" + (row.eta ? number_text(*row.eta, 1) : "No");
+}
+
 std::vector<std::string> cells_of(const PaperRow& row, const BenchRow& run) {
   const PaperFigures& paper = row.paper;
   return {title_of(run.scene) + " (" + std::to_string(run.vertices) + "V/" +
               std::to_string(run.faces) + "F; " + run.energy + ")",
           std::string(row.label),
           std::string(row.method),
-          number_text(row.delta, 1) + "/" + (row.eta ? number_text(*row.eta, 1) : "No"),
+          knobs_of(row),
           distortions_of(run),
           number_text(run.handle_error_squared, 2),
           convergence_of(run),

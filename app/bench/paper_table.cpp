@@ -22,11 +22,15 @@ constexpr std::string_view kSplits = "figure12_splits";
 constexpr std::string_view kLim = "[SKPSH13]";
 constexpr std::string_view kNoFlips = "Ours(NF)";
 constexpr std::string_view kFlips = "Ours(F)";
+constexpr std::string_view kLip = "[Lip12]";
+constexpr std::string_view kLipSteps = "[Lip12], handles in steps";
+constexpr std::string_view kAl = "[AL13]";
 constexpr std::string_view kWhole = "Algorithm 1";
 constexpr std::string_view kNoTest = "Ours(F), no cond";
 
 // Its Table 1 has 233 vertices for the coarse disk and 212 for the dense grid, which does not go
-// with the triangles: 293 and 121 are meant. Rows without figures are not in the paper.
+// with the triangles: 293 and 121 are meant. Rows without figures are not in the paper; that
+// [Lip12] and [AL13] fail on the grids is what its Figure 11 shows.
 constexpr std::array kRows{
     PaperRow{kCoarseDisk, kLim, "lim", 1e-5, {}, table1(81.4, 8.4, 3.9e-14, 'G', 214, 76, 0.44)},
     PaperRow{kCoarseDisk,
@@ -43,17 +47,30 @@ constexpr std::array kRows{
              table1(146.8, 7.0, 2.5e-14, 'G', 72, 31, 0.21)},
     PaperRow{kCoarseDisk, kNoTest, "paper-flip", 1e-5, 1e-3, {.convergence = 'M'}, false},
     PaperRow{kCoarseDisk,
-             "[Lip12]",
+             kLip,
              "bounded-conformal",
              1e-5,
              {},
-             {.mean_distortion = 16.5, .seconds = 7.2}},
+             {.mean_distortion = 16.5, .seconds = 7.2},
+             true,
+             107},
     PaperRow{kCoarseDisk,
-             "[AL13]",
+             kLipSteps,
+             "bounded-conformal",
+             1e-5,
+             {},
+             {},
+             true,
+             107,
+             StartFrames::continuation},
+    PaperRow{kCoarseDisk,
+             kAl,
              "injective-projection",
              1e-5,
              {},
-             {.mean_distortion = 36.4, .seconds = 4.2}},
+             {.mean_distortion = 36.4, .seconds = 4.2},
+             true,
+             107},
     PaperRow{kCoarseDisk, "—", "foldless", 1e-5, 1e-3},
 
     PaperRow{kDenseDisk, kLim, "lim", 1e-5, {}, table1(193.3, 5.1, 1.7e-13, 'G', 356, 135, 9.8)},
@@ -70,8 +87,17 @@ constexpr std::array kRows{
     PaperRow{kDenseDisk, kFlips, "paper-flip", 1e-5, 1e-1,
              table1(167.8, 5.0, 7.2e-14, 'G', 188, 77, 6.2)},
     PaperRow{kDenseDisk, kNoTest, "paper-flip", 1e-5, 1e-3, {.convergence = 'M'}, false},
-    PaperRow{kDenseDisk, "[Lip12]", "bounded-conformal", 1e-5, {}, {.convergence = 'M'}},
-    PaperRow{kDenseDisk, "[AL13]", "injective-projection", 1e-5, {}, {.seconds = 21.5}},
+    PaperRow{kDenseDisk, kLip, "bounded-conformal", 1e-5, {}, {.convergence = 'M'}, true, 67.4},
+    PaperRow{kDenseDisk,
+             kLipSteps,
+             "bounded-conformal",
+             1e-5,
+             {},
+             {},
+             true,
+             67.4,
+             StartFrames::continuation},
+    PaperRow{kDenseDisk, kAl, "injective-projection", 1e-5, {}, {.seconds = 21.5}, true, 67.4},
     PaperRow{kDenseDisk, "—", "foldless", 1e-5, 1e-3},
 
     PaperRow{kAlligator, kLim, "lim", 1e-1, {}, table1(7.7, 1.3, 1.2e-11, 'G', 145, 55, 0.68)},
@@ -106,8 +132,17 @@ constexpr std::array kRows{
     PaperRow{kDenseGrid, kFlips, "paper-flip", 1e-2, 1e-3,
              table1(2800.9, 53.3, 1.1e-11, 'G', 51, 26, 0.08)},
     PaperRow{kDenseGrid, kWhole, "paper", 1e-2, 1e-3},
-    PaperRow{kDenseGrid, "[Lip12]", "bounded-conformal", 1e-2},
-    PaperRow{kDenseGrid, "[AL13]", "injective-projection", 1e-2},
+    PaperRow{kDenseGrid, kLip, "bounded-conformal", 1e-2, {}, {.convergence = 'M'}, true, 119},
+    PaperRow{kDenseGrid,
+             kLipSteps,
+             "bounded-conformal",
+             1e-2,
+             {},
+             {},
+             true,
+             119,
+             StartFrames::continuation},
+    PaperRow{kDenseGrid, kAl, "injective-projection", 1e-2, {}, {.convergence = 'M'}, true, 119},
     PaperRow{kDenseGrid, "—", "foldless", 1e-2, 1e-3},
 
     PaperRow{kCoarseGrid, kLim, "lim", 1e-3, {}, table1(2680, 395.1, 8.9e-8, 'M', 3207, 1000, 0.5)},
@@ -120,8 +155,17 @@ constexpr std::array kRows{
     PaperRow{kCoarseGrid, kFlips, "paper-flip", 1e-3, 1e-3,
              table1(3270, 302.2, 2.4e-12, 'G', 2161, 843, 0.37)},
     PaperRow{kCoarseGrid, kWhole, "paper", 1e-3, 1e-3},
-    PaperRow{kCoarseGrid, "[Lip12]", "bounded-conformal", 1e-3},
-    PaperRow{kCoarseGrid, "[AL13]", "injective-projection", 1e-3},
+    PaperRow{kCoarseGrid, kLip, "bounded-conformal", 1e-3, {}, {.convergence = 'M'}, true, 226},
+    PaperRow{kCoarseGrid,
+             kLipSteps,
+             "bounded-conformal",
+             1e-3,
+             {},
+             {},
+             true,
+             226,
+             StartFrames::continuation},
+    PaperRow{kCoarseGrid, kAl, "injective-projection", 1e-3, {}, {.convergence = 'M'}, true, 226},
     PaperRow{kCoarseGrid, "—", "foldless", 1e-3, 1e-3},
 
     PaperRow{kSplits,

@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "core/scene/parameters.h"
+
 namespace foldless {
 
 /// What the paper reports of a run; what it leaves out is absent.
@@ -27,6 +29,9 @@ struct PaperRow {
   std::optional<double> eta = {};  ///< absent: no flips
   PaperFigures paper = {};
   bool condition_test = true;  ///< eq. 10
+  /// K of [Lip12] and [AL13]: as in the paper the largest distortion of our own result.
+  std::optional<double> distortion_bound = {};
+  StartFrames start = StartFrames::unconstrained;  ///< [Lip12]
 };
 
 /// All of them, scene by scene; those of the scenes of Table 1 in its order.
