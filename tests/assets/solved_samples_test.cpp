@@ -18,7 +18,7 @@ struct Ending {
   Iteration last;
 };
 
-Ending solved(const std::string& name, const std::string& method) {
+Problem sample(const std::string& name, const std::string& method) {
   const auto all = samples::sample_scenes(samples::sample_meshes());
   const Scene& scene = std::find_if(all.begin(), all.end(), [&](const samples::SampleScene& s) {
                          return s.name == name;
@@ -26,7 +26,11 @@ Ending solved(const std::string& name, const std::string& method) {
   Problem problem{MeshPair(scene.triangles, scene.rest), scene.energy, scene.handles,
                   scene.parameters};
   problem.parameters.method = method;
-  Run run(problem);
+  return problem;
+}
+
+Ending solved(const std::string& name, const std::string& method) {
+  Run run(sample(name, method));
   Ending ending;
   while (const auto iteration = run.step({})) ending.last = *iteration;
   ending.satisfied = run.is_satisfied();
@@ -47,6 +51,35 @@ TEST(SolvedSamples, FlipsSaveFactorizationsOnTheCoarseDisk) {
   EXPECT_LT(with.last.factorizations, without.last.factorizations);
 }
 
+/// What a sequence of published meshes looks like.
+struct Sequence {
+  double largest_jump = 0;  ///< of a vertex from one mesh to the next [length]
+  int folded_meshes = 0;
+};
+
+Sequence sequence_of(const std::string& name, const std::string& method) {
+  Run run(sample(name, method));
+  Sequence sequence;
+  Points before = run.snapshot()->deformed;
+  while (run.step({})) {
+    const Snapshot& now = *run.snapshot();
+    sequence.largest_jump =
+        std::max(sequence.largest_jump, (now.deformed - before).colwise().norm().maxCoeff());
+    sequence.folded_meshes += now.folded_triangles > 0;
+    before = now.deformed;
+  }
+  return sequence;
+}
+
+TEST(SolvedSamples,
+     TheSequenceIsSmoothWhereThatOfInjectiveProjectionIsAbruptAndFolds) {  // Figure 7
+  const Sequence ours = sequence_of("figure5_coarse_disk", "paper-flip");
+  const Sequence theirs = sequence_of("figure5_coarse_disk", "injective-projection");
+  EXPECT_EQ(ours.folded_meshes, 0);
+  EXPECT_GT(theirs.folded_meshes, 0);
+  EXPECT_LT(ours.largest_jump, theirs.largest_jump);
+}
+
 TEST(SolvedSamples, TheGridsOfFigure11AreReachedWithFlipsOnly) {
   for (const std::string name : {"figure11_dense_grid", "figure11_coarse_grid"}) {
     SCOPED_TRACE(name);
@@ -61,6 +94,16 @@ TEST(SolvedSamples, Figure12NeedsSplits) {
   const Ending whole = solved("figure12_splits", "paper");
   EXPECT_TRUE(whole.satisfied);
   EXPECT_GT(whole.last.splits, 0);
+}
+
+TEST(SolvedSamples, FoldlessReachesWhatTheOthersDoNotExactly) {
+  for (const std::string name :
+       {"figure1_blocked_edge", "figure11_coarse_grid", "figure12_splits"}) {
+    SCOPED_TRACE(name);
+    const Ending ending = solved(name, "foldless");
+    EXPECT_TRUE(ending.satisfied);
+    EXPECT_LE(ending.last.handle_error_squared, 1e-28);
+  }
 }
 
 TEST(SolvedSamples, TheHalfTurnIsReachedWithFlips) {
