@@ -83,6 +83,7 @@ TEST_F(WholeEditor, PlacesDragsConvergesUndoesRedoesSavesAndReloads) {
   const Image empty = headless_.canvas_picture();
 
   place_two_handles();
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
   ASSERT_EQ(editor().document().handles.size(), 2U);
   const Image placed = headless_.canvas_picture();
   EXPECT_GT(differing_pixels(empty, placed), 50) << "two handles should be seen";
