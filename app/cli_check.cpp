@@ -46,11 +46,6 @@ Distortion distortion_of(const Triangles& triangles, const Points& rest, const P
   return d;
 }
 
-JsonNode node_of(double value) {
-  if (!std::isfinite(value)) return {nullptr};
-  return {value};
-}
-
 /// Collects the line that is printed.
 class Line {
  public:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_report.h"
 
-#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -13,14 +12,6 @@
 
 namespace foldless {
 namespace {
-
-/// JSON has no word for what is not finite.
-JsonNode node_of(double value) {
-  if (!std::isfinite(value)) return {nullptr};
-  return {value};
-}
-
-JsonNode node_of(std::string_view text) { return {std::string(text)}; }
 
 JsonNode parameters_node(const Problem& problem) {
   JsonNode::Object object;

@@ -10,7 +10,7 @@
 namespace foldless {
 namespace {
 
-std::string number_words(double value) {
+std::string exact_words(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.17g", value);
   return text.data();
@@ -53,7 +53,7 @@ ImageTexts picture_texts(const Editor& editor) {
                    {"Distortion", std::string(document.energy->name)}};
   if (const auto snapshot = editor.shown(); snapshot && snapshot->iteration) {
     texts["Iteration"] = std::to_string(snapshot->iteration->updates);
-    texts["Energy"] = number_words(snapshot->iteration->energy);
+    texts["Energy"] = exact_words(snapshot->iteration->energy);
   }
   return texts;
 }

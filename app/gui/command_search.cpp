@@ -4,7 +4,6 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <vector>
 
 #include "app/editor/commands.h"
@@ -18,8 +17,6 @@ std::string words_of(const Command& command) {
   return std::string(command.menu) + ": " + std::string(command.title);
 }
 
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
 std::vector<const Command*> matches(const std::string& text) {
   std::vector<const Command*> found;
   for (const Command& command : commands())
@@ -27,7 +24,7 @@ std::vector<const Command*> matches(const std::string& text) {
   // Letters in one piece before letters that are scattered.
   std::ranges::stable_partition(found, [&text](const Command* command) {
     const std::string words = words_of(*command);
-    return text.empty() || !std::ranges::search(words, text, {}, lower, lower).empty();
+    return text.empty() || !std::ranges::search(words, text, {}, lower_case, lower_case).empty();
   });
   return found;
 }

@@ -10,10 +10,8 @@
 namespace foldless {
 namespace {
 
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
 std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) { return lower(c); });
+  std::ranges::transform(text, text.begin(), lower_case);
   return text;
 }
 
@@ -28,6 +26,8 @@ bool is_wanted(const std::filesystem::path& file, std::span<const std::string> e
 }
 
 }  // namespace
+
+char lower_case(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
 DirectoryListing list_directory(const std::filesystem::path& folder,
                                 std::span<const std::string> extensions) {
@@ -52,7 +52,7 @@ DirectoryListing list_directory(const std::filesystem::path& folder,
 bool matches_filter(std::string_view name, std::string_view filter) {
   std::size_t next = 0;
   for (const char c : name)
-    if (next < filter.size() && lower(c) == lower(filter[next])) ++next;
+    if (next < filter.size() && lower_case(c) == lower_case(filter[next])) ++next;
   return next == filter.size();
 }
 

@@ -29,6 +29,9 @@ struct DirectoryListing {
 DirectoryListing list_directory(const std::filesystem::path& folder,
                                 std::span<const std::string> extensions);
 
+/// An ASCII letter in lower case, anything else as it is.
+char lower_case(char c);
+
 /// True when every letter of `filter` occurs in `name` in that order, upper or lower case.
 bool matches_filter(std::string_view name, std::string_view filter);
 

@@ -42,7 +42,7 @@ float width_of(const std::string& words, ImFont* font) {
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, words.c_str(), nullptr).x;
 }
 
-std::string number_words(double value) {
+std::string short_words(double value) {
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.4g", value);
   return number.data();
@@ -66,7 +66,7 @@ void draw_heading(const Plot& plot, const ImVec2& corner, const Palette& palette
   if (plot.curves.size() != 1 || plot.curves.front().values.empty()) return;
   const auto& values = plot.curves.front().values;
   const std::string number =
-      number_words(values[std::min(shown.value_or(values.size() - 1), values.size() - 1)]);
+      short_words(values[std::min(shown.value_or(values.size() - 1), values.size() - 1)]);
   draw_text({corner.x + plot.size.x - width_of(number, plot.font), corner.y}, palette.text, number,
             plot.font);
 }
@@ -78,7 +78,7 @@ void draw_values(const Plot& plot, std::size_t index) {
   for (const PlotCurve& curve : plot.curves)
     if (index < curve.values.size())
       ImGui::TextColored(curve.colour, "%s: %s", curve.name.c_str(),
-                         number_words(curve.values[index]).c_str());
+                         short_words(curve.values[index]).c_str());
   ImGui::EndTooltip();
 }
 

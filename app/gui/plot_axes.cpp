@@ -16,7 +16,7 @@ double round_step(double least) {
   return 10 * power;
 }
 
-std::string number_words(double value) {
+std::string tick_words(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g", value);
   return text.data();
@@ -77,7 +77,7 @@ std::vector<PlotTick> PlotAxes::ticks(float distance) const {
   }
   const double step = round_step((high - low) / fit);
   for (double k = std::ceil(low / step); k * step <= high * (1 + 1e-9); ++k)
-    ticks.push_back({k * step, number_words(k * step)});
+    ticks.push_back({k * step, tick_words(k * step)});
   return ticks;
 }
 

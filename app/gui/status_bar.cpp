@@ -60,9 +60,9 @@ void draw_hint(const Editor& editor, const PanelContext& context, float left) {
   ImGui::TextColored(context.look.palette->dim, "%s", hint.c_str());
 }
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags kStatusBarFlags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 }  // namespace
 
@@ -76,7 +76,7 @@ void draw_status_bar(Editor& editor, const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(10), padding});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2{1, 1});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette->bar);
-  if (ImGui::Begin("##status", nullptr, kFixed)) {
+  if (ImGui::Begin("##status", nullptr, kStatusBarFlags)) {
     draw_status(editor.race().is_open() ? editor.race().status() : editor.status(), look);
     const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
     if (has_badge(editor)) draw_proof_badge(editor.proof(), place.width - left - look.px(24), look);

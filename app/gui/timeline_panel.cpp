@@ -88,9 +88,9 @@ void draw_race_scrubber(Editor& editor, const Look& look, float width) {
   tooltip("Drag through the iterations of all lanes ( , and . step). Pauses the race.", look);
 }
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags kTimelineFlags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 }  // namespace
 
@@ -100,7 +100,7 @@ void draw_timeline_panel(Editor& editor, const PanelContext& context) {
   ImGui::SetNextWindowPos({place.x, place.y});
   ImGui::SetNextWindowSize({place.width, place.height});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{look.px(7), look.px(4)});
-  if (ImGui::Begin("##timeline", nullptr, kFixed)) {
+  if (ImGui::Begin("##timeline", nullptr, kTimelineFlags)) {
     draw_transport(editor, look);
     const bool has_use = editor.scrubbed().has_value();
     const bool has_pace = ImGui::GetContentRegionAvail().x > look.px(has_use ? 320 : 230);

@@ -9,9 +9,9 @@
 namespace foldless {
 namespace {
 
-constexpr double kTolerance = 1e-9;    ///< of the programs
-constexpr double kBoundSlack = 1e-6;   ///< relative, of the largest σ₁/σ₂ over K
-constexpr double kStagnation = 1e-12;  ///< ‖u_{n+1} − u_n‖²
+constexpr double kProjectionTolerance = 1e-9;  ///< of the programs
+constexpr double kBoundSlack = 1e-6;           ///< relative, of the largest σ₁/σ₂ over K
+constexpr double kStagnation = 1e-12;          ///< ‖u_{n+1} − u_n‖²
 constexpr int kMostPrograms = 100;
 
 }  // namespace
@@ -79,7 +79,7 @@ bool InjectiveProjection::advance(const std::stop_token& token) {
 bool InjectiveProjection::project(const std::stop_token& token) {
   const Points& u = mesh_.deformed();
   const ConeSolution solution = system_.solver.solve(
-      system_.program(u, positions_.targets, half_planes()), kTolerance, token);
+      system_.program(u, positions_.targets, half_planes()), kProjectionTolerance, token);
   if (solution.status == ConeStatus::cancelled) return false;
   ++programs_;
   if (solution.status == ConeStatus::infeasible) {

@@ -2,6 +2,7 @@
 #include "core/scene/json_node.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -143,6 +144,13 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 };
 
 }  // namespace
+
+JsonNode node_of(double value) {
+  if (!std::isfinite(value)) return {nullptr};
+  return {value};
+}
+
+JsonNode node_of(std::string_view text) { return {std::string(text)}; }
 
 JsonNode parse_json(std::string_view text, const std::string& name) {
   LineCounter lines;

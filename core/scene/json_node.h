@@ -26,6 +26,10 @@ struct JsonNode {
   }
 };
 
+/// A number; null where it is not finite, for which JSON has no word.
+JsonNode node_of(double value);
+JsonNode node_of(std::string_view text);
+
 /// Parses a JSON text. Throws Error `NAME:LINE: ...` when it is not JSON, when an object has a key
 /// twice, when a number is too large, and for more than a hundred nested levels.
 JsonNode parse_json(std::string_view text, const std::string& name);

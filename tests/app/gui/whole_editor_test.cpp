@@ -53,6 +53,7 @@ class WholeEditor : public testing::Test {
   void place_two_handles() {
     click_vertex(left_);
     click_vertex(right_);
+    ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
     deselect();
   }
   /// Drags the right handle by (dx, dy) window coordinates and waits for the solver.

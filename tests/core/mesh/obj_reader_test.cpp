@@ -9,7 +9,7 @@ namespace {
 
 using test::error_of;
 
-std::string error_in(std::string_view text) {
+std::string error_in_obj(std::string_view text) {
   return error_of([&] { read_obj(text, "a.obj"); });
 }
 
@@ -62,16 +62,16 @@ TEST(ObjReader, KnowsTheLinesOfVerticesAndFaces) {
 }
 
 TEST(ObjReader, NamesTheFirstUnreadableNumberAndTheCount) {
-  EXPECT_EQ(error_in("v 0 0 0\nv 1,5 0 0\nv x y z\n"),
+  EXPECT_EQ(error_in_obj("v 0 0 0\nv 1,5 0 0\nv x y z\n"),
             "a.obj:2: vertex 2 has the coordinate '1,5', which is not a number (2 vertices in "
             "all); a vertex needs two or three numbers: v x y z");
-  EXPECT_EQ(error_in("v 3\n"),
+  EXPECT_EQ(error_in_obj("v 3\n"),
             "a.obj:1: vertex 1 has only 1 coordinate (1 vertex in all); a vertex needs two or "
             "three numbers: v x y z");
 }
 
 TEST(ObjReader, NamesUnreadableCorners) {
-  const std::string error = error_in("v 0 0\nf 1 b 1\nf /1 1 1\n");
+  const std::string error = error_in_obj("v 0 0\nf 1 b 1\nf /1 1 1\n");
   EXPECT_TRUE(
       error.starts_with("a.obj:2: face 1 has the corner 'b', which is not a vertex number "
                         "(2 corners in all)"))
@@ -79,12 +79,12 @@ TEST(ObjReader, NamesUnreadableCorners) {
 }
 
 TEST(ObjReader, NamesFacesWithTooFewCorners) {
-  const std::string error = error_in("v 0 0\nf 1 1\nf\n");
+  const std::string error = error_in_obj("v 0 0\nf 1 1\nf\n");
   EXPECT_TRUE(error.starts_with("a.obj:2: face 1 has 2 corners (2 faces in all)")) << error;
 }
 
 TEST(ObjReader, NamesReferencesBeyondTheBeginning) {
-  const std::string error = error_in("v 0 0\nv 1 0\nf -1 -2 -3\n");
+  const std::string error = error_in_obj("v 0 0\nv 1 0\nf -1 -2 -3\n");
   EXPECT_TRUE(
       error.starts_with("a.obj:3: face 1 names vertex -3 from the back, but only 2 "
                         "vertices went before (1 corner in all)"))

@@ -9,7 +9,7 @@ namespace {
 
 using test::error_of;
 
-std::string error_in(std::string_view text) {
+std::string error_in_off(std::string_view text) {
   return error_of([&] { read_off(text, "a.off"); });
 }
 
@@ -37,31 +37,31 @@ TEST(OffReader, KeepsPolygons) {
 }
 
 TEST(OffReader, RefusesOtherHeaders) {
-  EXPECT_EQ(error_in("solid\n"), "a.off:1: an OFF file begins with OFF, not with 'solid'");
-  EXPECT_EQ(error_in("OFF BINARY\n"), "a.off:1: this OFF file is binary; save it as text");
-  EXPECT_EQ(error_in("OFF\n-1 0 0\n"),
+  EXPECT_EQ(error_in_off("solid\n"), "a.off:1: an OFF file begins with OFF, not with 'solid'");
+  EXPECT_EQ(error_in_off("OFF BINARY\n"), "a.off:1: this OFF file is binary; save it as text");
+  EXPECT_EQ(error_in_off("OFF\n-1 0 0\n"),
             "a.off:2: the numbers of vertices and faces are expected, not '-1'");
 }
 
 TEST(OffReader, RefusesFilesThatAreCutShort) {
-  EXPECT_EQ(error_in("OFF\n3 1 0\n0 0 0\n"),
+  EXPECT_EQ(error_in_off("OFF\n3 1 0\n0 0 0\n"),
             "a.off:3: the file ends after 1 of 3 vertices; it has been cut short");
-  EXPECT_EQ(error_in("OFF\n1 2000000000 0\n0 0 0\n"),
+  EXPECT_EQ(error_in_off("OFF\n1 2000000000 0\n0 0 0\n"),
             "a.off:3: the file ends after 0 of 2000000000 faces; it has been cut short");
 }
 
 TEST(OffReader, NamesUnreadableNumbersAndTheCount) {
-  const std::string vertex = error_in("OFF\n2 0 0\n0 zero 0\n1\n");
+  const std::string vertex = error_in_off("OFF\n2 0 0\n0 zero 0\n1\n");
   EXPECT_TRUE(
       vertex.starts_with("a.off:3: vertex 0 has the coordinate 'zero', which is not a "
                          "number (2 vertices in all)"))
       << vertex;
-  const std::string face = error_in("OFF\n1 2 0\n0 0 0\n3 0 0\n3.5 0 0 0\n");
+  const std::string face = error_in_off("OFF\n1 2 0\n0 0 0\n3 0 0\n3.5 0 0 0\n");
   EXPECT_TRUE(
       face.starts_with("a.off:4: face 0 has the corner '', which is not a vertex number "
                        "(2 faces in all)"))
       << face;
-  const std::string few = error_in("OFF\n1 1 0\n0 0 0\n2 0 0\n");
+  const std::string few = error_in_off("OFF\n1 1 0\n0 0 0\n2 0 0\n");
   EXPECT_TRUE(few.starts_with("a.off:4: face 0 has 2 corners (1 face in all)")) << few;
 }
 

@@ -18,7 +18,7 @@ const std::string kVertices =
     "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 
-std::string error_in(std::string_view text) {
+std::string error_in_ply(std::string_view text) {
   return error_of([&] { read_ply(text, "a.ply"); });
 }
 
@@ -73,45 +73,50 @@ TEST(PlyReader, SkipsOtherElementsAndProperties) {
 }
 
 TEST(PlyReader, RefusesWrongHeaders) {
-  EXPECT_EQ(error_in("OFF\n"), "a.ply:1: a PLY file begins with the line 'ply'");
-  EXPECT_EQ(error_in("ply\nformat text 1.0\n"), "a.ply:2: the format 'text' is unknown");
-  EXPECT_EQ(error_in("ply\nformat ascii 1.0\n"), "a.ply:2: the header of the PLY file has no end");
-  EXPECT_EQ(error_in("ply\nend_header\n"), "a.ply:2: the header does not give a format");
-  EXPECT_EQ(error_in("ply\nproperty float x\n"), "a.ply:2: a property comes before every element");
-  EXPECT_EQ(error_in("ply\nelement vertex many\n"),
+  EXPECT_EQ(error_in_ply("OFF\n"), "a.ply:1: a PLY file begins with the line 'ply'");
+  EXPECT_EQ(error_in_ply("ply\nformat text 1.0\n"), "a.ply:2: the format 'text' is unknown");
+  EXPECT_EQ(error_in_ply("ply\nformat ascii 1.0\n"),
+            "a.ply:2: the header of the PLY file has no end");
+  EXPECT_EQ(error_in_ply("ply\nend_header\n"), "a.ply:2: the header does not give a format");
+  EXPECT_EQ(error_in_ply("ply\nproperty float x\n"),
+            "a.ply:2: a property comes before every element");
+  EXPECT_EQ(error_in_ply("ply\nelement vertex many\n"),
             "a.ply:2: the element 'vertex' has the count 'many'");
-  EXPECT_EQ(error_in("ply\nelement vertex 1\nproperty real x\n"),
+  EXPECT_EQ(error_in_ply("ply\nelement vertex 1\nproperty real x\n"),
             "a.ply:3: the type 'real' is unknown");
-  EXPECT_EQ(error_in("ply\nhello\n"), "a.ply:2: the header has the unknown word 'hello'");
+  EXPECT_EQ(error_in_ply("ply\nhello\n"), "a.ply:2: the header has the unknown word 'hello'");
 }
 
 TEST(PlyReader, RefusesHeadersOfOtherThings) {
   const std::string start = kAscii + "element vertex 1\nproperty float x\nproperty float y\n";
-  EXPECT_EQ(error_in(kAscii + kFaces), "a.ply:5: the PLY file has no element 'vertex'");
-  EXPECT_EQ(error_in(start + "end_header\n0 0\n"), "a.ply:6: the PLY file has no element 'face'");
-  EXPECT_EQ(error_in(kAscii + "element vertex 1\nproperty float x\n" + kFaces),
+  EXPECT_EQ(error_in_ply(kAscii + kFaces), "a.ply:5: the PLY file has no element 'vertex'");
+  EXPECT_EQ(error_in_ply(start + "end_header\n0 0\n"),
+            "a.ply:6: the PLY file has no element 'face'");
+  EXPECT_EQ(error_in_ply(kAscii + "element vertex 1\nproperty float x\n" + kFaces),
             "a.ply:3: the vertices need one x and one y");
-  EXPECT_EQ(error_in(kAscii + "element vertex 1\nproperty int x\nproperty float y\n" + kFaces),
+  EXPECT_EQ(error_in_ply(kAscii + "element vertex 1\nproperty int x\nproperty float y\n" + kFaces),
             "a.ply:3: the coordinate x of the vertices is of type int; float or double is needed");
-  EXPECT_EQ(error_in(start + "element face 1\nproperty uchar red\nend_header\n"),
+  EXPECT_EQ(error_in_ply(start + "element face 1\nproperty uchar red\nend_header\n"),
             "a.ply:6: the faces have no list vertex_indices");
-  EXPECT_EQ(
-      error_in(start + "element face 1\nproperty list uchar float vertex_indices\nend_header\n"),
-      "a.ply:6: the property vertex_indices must be a list of int or uint");
-  EXPECT_NE(error_in(start + "element face 1\nproperty list int int vertex_indices\nend_header\n"),
-            "");
+  EXPECT_EQ(error_in_ply(start +
+                         "element face 1\nproperty list uchar float vertex_indices\nend_header\n"),
+            "a.ply:6: the property vertex_indices must be a list of int or uint");
+  EXPECT_NE(
+      error_in_ply(start + "element face 1\nproperty list int int vertex_indices\nend_header\n"),
+      "");
 }
 
 TEST(PlyReader, RefusesFilesThatAreCutShort) {
   const std::string ascii = kAscii + kVertices + kFaces;
-  EXPECT_TRUE(error_in(ascii + "0 0 0\n1 0 0\n").starts_with("a.ply:12: vertex 2 cannot be read"));
-  EXPECT_TRUE(error_in(ascii + "0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n")
+  EXPECT_TRUE(
+      error_in_ply(ascii + "0 0 0\n1 0 0\n").starts_with("a.ply:12: vertex 2 cannot be read"));
+  EXPECT_TRUE(error_in_ply(ascii + "0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n")
                   .starts_with("a.ply:11: vertex 1 cannot be read"));
-  EXPECT_TRUE(error_in(ascii + "0 0 0\n1 0 0\n0 1 0\n3 0 1\n")
+  EXPECT_TRUE(error_in_ply(ascii + "0 0 0\n1 0 0\n0 1 0\n3 0 1\n")
                   .starts_with("a.ply:13: face 0 cannot be read"));
   const std::string binary = binary_triangle(false);
   for (std::size_t n = binary.find("end_header") + 11; n < binary.size(); ++n)
-    EXPECT_NE(error_in(std::string_view(binary).substr(0, n)), "") << n;
+    EXPECT_NE(error_in_ply(std::string_view(binary).substr(0, n)), "") << n;
 }
 
 }  // namespace

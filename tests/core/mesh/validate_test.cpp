@@ -23,7 +23,7 @@ TriangleSoup checked(std::string_view obj) {
   return validated(planar_triangles(read_obj(obj, "a.obj")));
 }
 
-std::string error_in(std::string_view obj) {
+std::string error_in_mesh(std::string_view obj) {
   return error_of([&] { checked(obj); });
 }
 
@@ -38,49 +38,49 @@ TEST(Validate, AcceptsAGoodMeshWithoutNotices) {
 }
 
 TEST(Validate, AcceptsComponentsAndHoles) {
-  EXPECT_EQ(error_in("v 0 0\nv 1 0\nv 0 1\nv 5 0\nv 6 0\nv 5 1\nf 1 2 3\nf 4 5 6\n"), "");
-  EXPECT_EQ(error_in("v 0 0\nv 3 0\nv 0 3\nv .5 .5\nv 1 .5\nv .5 1\n"
-                     "f 1 2 4\nf 2 5 4\nf 2 3 5\nf 3 6 5\nf 3 1 6\nf 1 4 6\n"),
+  EXPECT_EQ(error_in_mesh("v 0 0\nv 1 0\nv 0 1\nv 5 0\nv 6 0\nv 5 1\nf 1 2 3\nf 4 5 6\n"), "");
+  EXPECT_EQ(error_in_mesh("v 0 0\nv 3 0\nv 0 3\nv .5 .5\nv 1 .5\nv .5 1\n"
+                          "f 1 2 4\nf 2 5 4\nf 2 3 5\nf 3 6 5\nf 3 1 6\nf 1 4 6\n"),
             "");
 }
 
 TEST(Validate, RefusesCoordinatesThatAreNotFinite) {
-  EXPECT_EQ(error_in("v 0 0\nv nan 0\nv 0 1e999\nf 1 2 3\n"),
+  EXPECT_EQ(error_in_mesh("v 0 0\nv nan 0\nv 0 1e999\nf 1 2 3\n"),
             "a.obj:2: vertex 2 has the coordinate nan, which is not finite (2 vertices in all); "
             "every coordinate must be a finite number");
 }
 
 TEST(Validate, RefusesIndicesOutOfRange) {
-  EXPECT_EQ(error_in(kSquare + "f 1 2 3\nf 1 3 7\nf 0 1 2\n"),
+  EXPECT_EQ(error_in_mesh(kSquare + "f 1 2 3\nf 1 3 7\nf 0 1 2\n"),
             "a.obj:6: face 2 names vertex 7, but the vertices are 1 to 4 (2 faces in all); a face "
             "may only name vertices of the mesh");
-  EXPECT_TRUE(error_in("f 1 2 3\n")
+  EXPECT_TRUE(error_in_mesh("f 1 2 3\n")
                   .starts_with(
                       "a.obj:1: face 1 names vertex 1, but there are no vertices (1 face in all)"));
 }
 
 TEST(Validate, RefusesRepeatedIndices) {
-  EXPECT_EQ(error_in(kSquare + "f 1 2 3\nf 1 3 1\nf 1 2 3 2\n"),
+  EXPECT_EQ(error_in_mesh(kSquare + "f 1 2 3\nf 1 3 1\nf 1 2 3 2\n"),
             "a.obj:6: face 2 names vertex 1 twice (2 faces in all); the corners of a face must be "
             "different vertices");
 }
 
 TEST(Validate, RefusesMeshesWithoutFaces) {
-  EXPECT_EQ(error_in(""),
+  EXPECT_EQ(error_in_mesh(""),
             "a.obj: there are no faces (0 vertices and 0 faces in all); a mesh needs at least one "
             "triangle");
-  EXPECT_NE(error_in(kSquare), "");
+  EXPECT_NE(error_in_mesh(kSquare), "");
 }
 
 TEST(Validate, RefusesVaryingZAndSaysByHowMuch) {
-  EXPECT_EQ(error_in("v 0 0 1\nv 1 0 1\nv 0 1 1.5\nv 1 1 .75\nf 1 2 3\n"),
+  EXPECT_EQ(error_in_mesh("v 0 0 1\nv 1 0 1\nv 0 1 1.5\nv 1 1 .75\nf 1 2 3\n"),
             "a.obj:3: vertex 3 has z = 1.5, but the first vertex has z = 1 (2 vertices in all); z "
             "varies by 0.75 and only planar meshes with constant z can be opened");
-  EXPECT_EQ(error_in("v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n"), "") << "constant, but not 0";
+  EXPECT_EQ(error_in_mesh("v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n"), "") << "constant, but not 0";
 }
 
 TEST(Validate, RefusesTrianglesOfExactlyZeroArea) {
-  EXPECT_EQ(error_in("v 0 0\nv .1 .1\nv .3 .3\nv 1 0\nf 1 4 3\nf 1 3 2\n"),
+  EXPECT_EQ(error_in_mesh("v 0 0\nv .1 .1\nv .3 .3\nv 1 0\nf 1 4 3\nf 1 3 2\n"),
             "a.obj:6: face 2 (vertices 1 3 2) has zero area (1 triangle in all); every triangle "
             "must have an area");
 }
@@ -91,25 +91,25 @@ TEST(Validate, AcceptsTheThinnestTriangle) {
   points << 0, 0.5, 1,  //
       0, 0.5, above;
   const Triangles triangle = Triangles::Map(std::array{0, 1, 2}.data(), 3, 1);
-  EXPECT_EQ(error_in(obj_text(triangle, points)), "");
+  EXPECT_EQ(error_in_mesh(obj_text(triangle, points)), "");
 }
 
 TEST(Validate, RefusesMixedOrientationAndNamesTheFewer) {
-  EXPECT_EQ(error_in(kSquare + "v 2 0 0\nf 1 2 3\nf 1 4 3\nf 2 5 3\n"),
+  EXPECT_EQ(error_in_mesh(kSquare + "v 2 0 0\nf 1 2 3\nf 1 4 3\nf 2 5 3\n"),
             "a.obj:7: face 2 (vertices 1 4 3) is clockwise, others are counter-clockwise: mixed "
             "orientation (1 triangle in all); orient all faces the same way and unfold the mesh");
-  const std::string fewer = error_in(kSquare + "v 2 0 0\nf 1 3 2\nf 1 3 4\nf 2 3 5\n");
+  const std::string fewer = error_in_mesh(kSquare + "v 2 0 0\nf 1 3 2\nf 1 3 4\nf 2 3 5\n");
   EXPECT_TRUE(fewer.starts_with("a.obj:7: face 2 (vertices 1 3 4) is counter-clockwise")) << fewer;
 }
 
 TEST(Validate, RefusesNonManifoldEdges) {
-  EXPECT_EQ(error_in("v 0 0\nv 1 0\nv 0 1\nv 1 1\nv .3 .9\nf 1 2 3\nf 2 4 3\nf 2 5 3\n"),
+  EXPECT_EQ(error_in_mesh("v 0 0\nv 1 0\nv 0 1\nv 1 1\nv .3 .9\nf 1 2 3\nf 2 4 3\nf 2 5 3\n"),
             "a.obj:6: face 1 (vertices 1 2 3) has the edge 2-3 of 3 triangles (1 non-manifold edge "
             "in all); an edge can have two triangles at most");
 }
 
 TEST(Validate, RefusesTrianglesOnTheSameSideOfAnEdge) {
-  const std::string error = error_in("v 0 0\nv 1 0\nv 0 1\nv 1 1\nf 1 2 3\nf 1 2 4\n");
+  const std::string error = error_in_mesh("v 0 0\nv 1 0\nv 0 1\nv 1 1\nf 1 2 3\nf 1 2 4\n");
   EXPECT_TRUE(
       error.starts_with("a.obj:5: face 1 (vertices 1 2 3) and its neighbour pass the edge "
                         "1-2 in the same direction (1 edge in all)"))
@@ -117,7 +117,8 @@ TEST(Validate, RefusesTrianglesOnTheSameSideOfAnEdge) {
 }
 
 TEST(Validate, RefusesBowTies) {
-  const std::string error = error_in("v 0 0\nv 1 0\nv 1 1\nv -1 0\nv -1 -1\nf 1 2 3\nf 1 4 5\n");
+  const std::string error =
+      error_in_mesh("v 0 0\nv 1 0\nv 1 1\nv -1 0\nv -1 -1\nf 1 2 3\nf 1 4 5\n");
   EXPECT_TRUE(
       error.starts_with("a.obj:1: vertex 1 is a bow tie: triangles meet there in one point "
                         "only (1 non-manifold vertex in all)"))
@@ -132,7 +133,8 @@ TEST(Validate, RefusesTwoClosedFansAtAVertex) {
       text += "v " + std::to_string(r * std::cos(k * std::numbers::pi / 2)) + ' ' +
               std::to_string(r * std::sin(k * std::numbers::pi / 2)) + '\n';
   text += "f 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\nf 1 6 7\nf 1 7 8\nf 1 8 9\nf 1 9 6\n";
-  EXPECT_TRUE(error_in(text).starts_with("a.obj:1: vertex 1 is a bow tie")) << error_in(text);
+  EXPECT_TRUE(error_in_mesh(text).starts_with("a.obj:1: vertex 1 is a bow tie"))
+      << error_in_mesh(text);
 }
 
 TEST(Validate, RefusesAMultipleCover) {
@@ -142,7 +144,7 @@ TEST(Validate, RefusesAMultipleCover) {
     text += "v " + std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) + '\n';
     faces += "f 1 " + std::to_string(k + 2) + ' ' + std::to_string((k + 1) % 8 + 2) + '\n';
   }
-  EXPECT_EQ(error_in(text + faces),
+  EXPECT_EQ(error_in_mesh(text + faces),
             "a.obj:1: vertex 1 is covered more than once: the angles round it add up to more than "
             "a full turn (1 interior vertex in all); lay the mesh flat without overlap round its "
             "interior vertices");
@@ -179,14 +181,14 @@ TEST(Validate, TurnsOverClockwisePolygons) {
 }
 
 TEST(Validate, RefusesPolygonsThatCrossThemselves) {
-  const std::string error = error_in(kSquare + "f 1 3 2 4\n");
+  const std::string error = error_in_mesh(kSquare + "f 1 3 2 4\n");
   EXPECT_TRUE(
       error.starts_with("a.obj:5: face 1, a polygon of 4 corners, crosses or touches itself"))
       << error;
 }
 
 TEST(Validate, NamesTheFaceThatATriangleWasCutFrom) {
-  const std::string error = error_in(kSquare + "v 2 0 0\nf 1 2 3 4\nf 2 3 5\n");
+  const std::string error = error_in_mesh(kSquare + "v 2 0 0\nf 1 2 3 4\nf 2 3 5\n");
   EXPECT_TRUE(error.starts_with("a.obj:7: face 2 (vertices 2 3 5) is clockwise")) << error;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using test::error_of;
 
-std::string error_in(std::string_view text) {
+std::string error_in_json(std::string_view text) {
   return error_of([&] { parse_json(text, "a.json"); });
 }
 
@@ -35,27 +35,27 @@ TEST(JsonNode, KnowsTheLineOfEveryValue) {
 TEST(JsonNode, RefusesWhatIsNotJsonWithTheLine) {
   for (const char* text : {"", "{", "{\"a\": }", "[1, 2", "nul", "{} {}", "{\"a\": nan}", "[1,]",
                            "{'a': 1}", "\"\xff\""}) {
-    const std::string error = error_in(text);
+    const std::string error = error_in_json(text);
     EXPECT_TRUE(error.starts_with("a.json:1: not JSON: ")) << error;
     EXPECT_EQ(error.find('\n'), error.npos);
   }
-  EXPECT_TRUE(error_in("{\n\"a\": 1,\n\"b\" 2}").starts_with("a.json:3: not JSON: "));
+  EXPECT_TRUE(error_in_json("{\n\"a\": 1,\n\"b\" 2}").starts_with("a.json:3: not JSON: "));
 }
 
 TEST(JsonNode, RefusesNumbersThatAreTooLarge) {
-  EXPECT_TRUE(error_in("[1,\n1e999]").starts_with("a.json:2: not JSON: number overflow"))
-      << error_in("[1,\n1e999]");
+  EXPECT_TRUE(error_in_json("[1,\n1e999]").starts_with("a.json:2: not JSON: number overflow"))
+      << error_in_json("[1,\n1e999]");
 }
 
 TEST(JsonNode, RefusesAKeyThatComesTwice) {
-  EXPECT_EQ(error_in("{\"a\": 1,\n\"b\": {\"a\": 2},\n\"a\": 3}"),
+  EXPECT_EQ(error_in_json("{\"a\": 1,\n\"b\": {\"a\": 2},\n\"a\": 3}"),
             "a.json:3: the key 'a' comes twice, first in line 1");
 }
 
 TEST(JsonNode, RefusesDeepNesting) {
-  EXPECT_EQ(error_in(std::string(100000, '[')),
+  EXPECT_EQ(error_in_json(std::string(100000, '[')),
             "a.json:1: values are nested more than 100 levels deep");
-  EXPECT_EQ(error_in(std::string(100, '[') + std::string(100, ']')), "");
+  EXPECT_EQ(error_in_json(std::string(100, '[') + std::string(100, ']')), "");
 }
 
 TEST(JsonText, PutsPointsAndHandlesOnOneLineEach) {
