@@ -4,39 +4,10 @@
 
 #include <algorithm>
 
-#include "assets/make/sample_meshes.h"
-#include "assets/make/sample_scenes.h"
-#include "core/run/run.h"
+#include "tests/assets/solved_sample.h"
 
-namespace foldless {
+namespace foldless::test {
 namespace {
-
-/// How a sample ended under one method.
-struct Ending {
-  bool satisfied = false;
-  std::optional<Outcome> outcome;
-  Iteration last;
-};
-
-Problem sample(const std::string& name, const std::string& method) {
-  const auto all = samples::sample_scenes(samples::sample_meshes());
-  const Scene& scene = std::find_if(all.begin(), all.end(), [&](const samples::SampleScene& s) {
-                         return s.name == name;
-                       })->scene;
-  Problem problem{MeshPair(scene.triangles, scene.rest), scene.energy, scene.handles,
-                  scene.parameters};
-  problem.parameters.method = method;
-  return problem;
-}
-
-Ending solved(const std::string& name, const std::string& method) {
-  Run run(sample(name, method));
-  Ending ending;
-  while (const auto iteration = run.step({})) ending.last = *iteration;
-  ending.satisfied = run.is_satisfied();
-  ending.outcome = run.outcome();
-  return ending;
-}
 
 TEST(SolvedSamples, ABlockedVertexPassesOnlyWhenItsEdgeFlips) {
   EXPECT_TRUE(solved("figure1_blocked_edge", "paper-flip").satisfied);
@@ -111,4 +82,4 @@ TEST(SolvedSamples, TheHalfTurnIsReachedWithFlips) {
 }
 
 }  // namespace
-}  // namespace foldless
+}  // namespace foldless::test
