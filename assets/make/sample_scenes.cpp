@@ -21,6 +21,7 @@ Scene scene_over(const SampleMesh& mesh, const char* energy, std::string descrip
   scene.rest = mesh.shape.rest;
   scene.energy = find_density(energy);
   scene.description = std::move(description);
+  scene.parameters.method = "paper-flip";
   return scene;
 }
 
@@ -110,6 +111,7 @@ Scene welcome(const Meshes& meshes) {
     const int v = nearest_vertex(scene, p);
     add_handle(scene, v, scene.rest.col(v));
   }
+  scene.parameters.method = "foldless";
   return scene;
 }
 

@@ -17,8 +17,8 @@ enum class StartFrames {
 /// dimensionless hold for a rest mesh whose bounding-box diagonal is about 1: the solver
 /// normalises every scene before it solves it.
 struct Parameters {
-  std::string method = "paper-flip";  ///< a name of methods()
-  double alpha = 5e7;                 ///< weight of the penalty ‖Cu − p‖², eq. 5
+  std::string method = "foldless";   ///< a name of methods()
+  double alpha = 5e7;                ///< weight of the penalty ‖Cu − p‖², eq. 5
   std::optional<double> beta;        ///< weight of the barrier, eq. 5; absent: the energy's default
   double delta = 1e-5;               ///< smallest A′/A, eq. 4, in (0, 1)
   double eta = 1e-3;                 ///< smallest relative decrease that flips an edge (4.3)

@@ -101,7 +101,7 @@ TEST(Solve, ReportHasEveryKeyAndAgreesWithTheMeshes) {
   for (const char* key : {"total", "assemble", "factorize"})
     EXPECT_GT(report["seconds"][key].get<double>(), 0) << key;
   EXPECT_EQ(report["energy"]["name"], "lscm");
-  EXPECT_EQ(report["method"], "paper-flip");
+  EXPECT_EQ(report["method"], "foldless");
   EXPECT_EQ(report["vertices"], 36);
   EXPECT_EQ(report["inverted"], 0);
   EXPECT_EQ(report["satisfied"], true);
@@ -116,7 +116,9 @@ TEST(Solve, ReportHasEveryKeyAndAgreesWithTheMeshes) {
 TEST(Solve, WritesARowAnUpdate) {
   const TemporaryFolder folder;
   write_scene(folder / "scene.json", flipping_problem());
-  ASSERT_EQ(test::run({"solve", folder / "scene.json", "-o", folder / "out"}).status, 0);
+  ASSERT_EQ(
+      test::run({"solve", folder / "scene.json", "-o", folder / "out", "--method", "paper"}).status,
+      0);
   const auto lines = lines_of(read_text(folder / "out/iterations.csv"));
   const json report = json::parse(read_text(folder / "out/report.json"));
   EXPECT_EQ(lines.size(), 1 + report["iterations"].get<std::size_t>());
@@ -140,8 +142,8 @@ TEST(Solve, EndsWithOneWhenHandlesAreNotReached) {
   const TemporaryFolder folder;
   // Through the opposite corner: no single update gets there.
   write_scene(folder / "scene.json", grid_problem(6, Vec2(-3, -3)));
-  const Ended ended = test::run(
-      {"solve", folder / "scene.json", "-o", folder / "out", "--inner", "1", "--outer", "1"});
+  const Ended ended = test::run({"solve", folder / "scene.json", "-o", folder / "out", "--inner",
+                                 "1", "--outer", "1", "--method", "paper"});
   EXPECT_EQ(ended.status, 1);
   expect_valid_results(folder / "out");
   const json report = json::parse(read_text(folder / "out/report.json"));

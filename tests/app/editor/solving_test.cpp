@@ -30,6 +30,7 @@ TEST_F(Solving, StatusIsInWords) {
 }
 
 TEST_F(Solving, SaysHowFarItIs) {
+  editor_->set_method("paper-flip");
   editor_->set_pace(4);
   drag_corner({-50, 60});
   wait_for([&] { return !editor_->iterations().empty() || !editor_->is_solving(); });
@@ -45,6 +46,7 @@ TEST_F(Solving, HandlesThatCannotGetThereAreBlocked) {
   shape.triangles << 0, 1, 2;
   shape.rest << 0, 1, 0, 0, 0, 1;
   editor_->open_shape(std::move(shape), "triangle");
+  editor_->set_method("paper-flip");  // without splits
   for (const int vertex : {0, 1, 2}) place(vertex);
   const Vec2 from = pixel_of_vertex(2);
   drag(from, pixel_of(Vec2(0, -1)));  // would turn the triangle over
