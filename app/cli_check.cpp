@@ -113,10 +113,13 @@ void add_distortion(const MeshFiles& files, Line& line) {
 
 void add_handles(const Scene& scene, const MeshFiles& files, Line& line) {
   const Points& deformed = files.deformed.points;
-  const Eigen::Index expected = scene.state ? scene.state->rest.cols() : scene.rest.cols();
+  // A solver may have removed vertices of splits that the scene's state has, but none of a handle.
+  Eigen::Index expected = scene.rest.cols();
+  for (const Handle& handle : scene.handles)
+    expected = std::max<Eigen::Index>(expected, handle.vertex + 1);
   if (deformed.cols() < expected)
     throw Error("the meshes have " + std::to_string(deformed.cols()) +
-                " vertices, but that of the scene has " + std::to_string(expected));
+                " vertices, but the scene needs " + std::to_string(expected));
   const Positions positions = positions_of(scene.handles);
   const double error = handle_error_squared(positions, deformed);
   double largest = 0;

@@ -47,6 +47,7 @@ constexpr std::array kColumns{
     Column{"updates", [](const BenchRow& row) { return number(row.last.updates); }},
     Column{"flips", [](const BenchRow& row) { return number(row.last.flips); }},
     Column{"splits", [](const BenchRow& row) { return number(row.last.splits); }},
+    Column{"vertices_added", [](const BenchRow& row) { return number(row.vertices_added); }},
     Column{"seconds", [](const BenchRow& row) { return number(row.seconds); }},
     Column{"conformal_distortion_max",
            [](const BenchRow& row) { return number(row.max_conformal_distortion); }},
@@ -108,7 +109,7 @@ void compare(std::span<const BenchRow> rows, const std::string& first, MethodSum
 
 TextTable rows_table(std::span<const BenchRow> rows) {
   TextTable table({"scene", "V/F", "energy", "method", "reached", "outcome", "H/U", "flips",
-                   "splits", "CPU s", "max", "mean", "E_d", "P²/D²", "valid"});
+                   "splits", "CPU s", "max", "mean", "E_d", "P²/D²", "valid", "V added"});
   for (const BenchRow& row : rows)
     table.add({row.scene, size_text(row), row.energy, row.method, yes_or_no(row.has_reached()),
                row.outcome,
@@ -116,7 +117,8 @@ TextTable rows_table(std::span<const BenchRow> rows) {
                std::to_string(row.last.flips), std::to_string(row.last.splits),
                number_text(row.seconds), number_text(row.max_conformal_distortion),
                number_text(row.mean_conformal_distortion), number_text(row.distortion_energy),
-               number_text(row.relative_handle_error(), 2), yes_or_no(row.is_valid)});
+               number_text(row.relative_handle_error(), 2), yes_or_no(row.is_valid),
+               std::to_string(row.vertices_added)});
   return table;
 }
 

@@ -41,6 +41,7 @@ void measure(const Density& energy, const Snapshot& state, BenchRow& row) {
   row.is_valid = is_injective(*state.triangles, *state.rest, state.deformed);
   row.handle_error_squared = handle_error_squared(positions_of(state.handles), state.deformed);
   row.distortion_energy = distortion_energy(energy, state);
+  row.vertices_added = static_cast<int>(state.rest->cols()) - row.vertices;
   if (!row.is_valid) {
     row.max_conformal_distortion = row.mean_conformal_distortion = kUndefined;
     return;

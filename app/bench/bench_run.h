@@ -32,6 +32,7 @@ struct BenchRow {
   double seconds = 0;            ///< processor time of the run's thread
   double distortion_energy = 0;  ///< E_d of the last state
   double handle_error_squared = 0;       ///< ‖P‖² of the last state
+  int vertices_added = 0;                ///< that splits left in the last state
   double diagonal = 1;                   ///< D of the rest mesh
   double max_conformal_distortion = 1;   ///< not a number where the map is not valid
   double mean_conformal_distortion = 1;  ///< likewise

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/method/foldless/transport_plans.h"
@@ -33,10 +34,19 @@ Workspace workspace_of(const MeshPair& mesh, const Problem& problem, const Energ
           problem.parameters.condition_test};
 }
 
+/// Vertices that came with the original mesh stay, and so do those before a handle, whose indices
+/// must not change.
+int first_removable_vertex(const Problem& problem) {
+  int first = problem.original ? problem.original->vertices : problem.mesh.vertex_count();
+  for (const Handle& handle : problem.handles) first = std::max(first, handle.vertex + 1);
+  return first;
+}
+
 }  // namespace
 
 Foldless::Foldless(Problem problem)
     : initial_(problem.mesh),
+      first_removable_(first_removable_vertex(problem)),
       energy_(own_energy(problem)),
       work_(workspace_of(problem.mesh, problem, energy_)),
       stage_(Approach(work_)) {
@@ -65,7 +75,7 @@ std::optional<Iteration> Foldless::step(std::stop_token token) {
 std::optional<Iteration> Foldless::advance(std::stop_token token) {
   if (auto* stage = std::get_if<Approach>(&stage_)) return approach(*stage, token);
   if (auto* stage = std::get_if<Attempt>(&stage_)) return transport(*stage, token);
-  return settle(std::get<Settle>(stage_), token);
+  return settle(std::get<Tidy>(stage_), token);
 }
 
 std::optional<Iteration> Foldless::approach(Approach& stage, std::stop_token token) {
@@ -74,7 +84,7 @@ std::optional<Iteration> Foldless::approach(Approach& stage, std::stop_token tok
   if (progress == Progress::cancelled) return std::nullopt;
   Iteration iteration = record(work_, update, work_.positions);
   iteration.phase = Phase::approach;
-  if (progress == Progress::arrived) stage_ = Settle(work_);
+  if (progress == Progress::arrived) stage_ = Tidy(work_, first_removable_);
   if (progress == Progress::locked) after_locked_approach();
   return iteration;
 }
@@ -88,7 +98,7 @@ std::optional<Iteration> Foldless::transport(Attempt& attempt, std::stop_token t
   if (progress == Progress::arrived) {
     work_ = std::move(attempt.work);
     work_.set_energy(energy_);
-    stage_ = Settle(work_);
+    stage_ = Tidy(work_, first_removable_);
   } else if (progress == Progress::locked) {
     work_.take_counts(attempt.work);
     begin_next_transport();
@@ -96,7 +106,7 @@ std::optional<Iteration> Foldless::transport(Attempt& attempt, std::stop_token t
   return iteration;
 }
 
-std::optional<Iteration> Foldless::settle(Settle& stage, std::stop_token token) {
+std::optional<Iteration> Foldless::settle(Tidy& stage, std::stop_token token) {
   VertexUpdate update;
   const Progress progress = stage.step(work_, token, update);
   if (progress == Progress::cancelled) return std::nullopt;
@@ -126,9 +136,7 @@ void Foldless::begin_next_transport() {
     return;
   }
   Workspace work = work_;
-  work.mesh = MeshPair(initial_.triangles(), initial_.rest());
-  work.curvature = {};
-  work.system.rebuild(work.mesh, work.positions, work.mesh.edge_count());
+  work.set_mesh(MeshPair(initial_.triangles(), initial_.rest()));
   work.set_energy(Transport::energy(energy_.delta));
   Transport stage(work, plans_[next_plan_++]);
   stage_ = Attempt{std::move(work), std::move(stage)};

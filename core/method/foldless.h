@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "core/method/foldless/approach.h"
-#include "core/method/foldless/settle.h"
+#include "core/method/foldless/tidy.h"
 #include "core/method/foldless/transport.h"
 #include "core/method/method.h"
 
@@ -14,7 +14,7 @@ namespace foldless {
 /// replaces what holds it back. One vertex update a step. The problem's rest mesh has a
 /// bounding-box diagonal of about 1.
 ///
-/// Approach → Settle where nothing blocks. A locked approach splits edges at the handles that are
+/// Approach → Tidy where nothing blocks. A locked approach splits edges at the handles that are
 /// not home and begins again; when that gains no more, transports are tried on a second mesh while
 /// mesh() stays the best one so far.
 class Foldless final : public Method {
@@ -38,16 +38,17 @@ class Foldless final : public Method {
   std::optional<Iteration> advance(std::stop_token token);
   std::optional<Iteration> approach(Approach& stage, std::stop_token token);
   std::optional<Iteration> transport(Attempt& attempt, std::stop_token token);
-  std::optional<Iteration> settle(Settle& stage, std::stop_token token);
+  std::optional<Iteration> settle(Tidy& stage, std::stop_token token);
   Iteration record(Workspace& work, const VertexUpdate& update, const Positions& positions);
   void after_locked_approach();
   void begin_next_transport();
   bool split();
 
-  MeshPair initial_;  ///< where transports start: its rest state
+  MeshPair initial_;     ///< where transports start: its rest state
+  int first_removable_;  ///< vertices of lower index stay
   EnergySettings energy_;
   Workspace work_;
-  std::variant<Approach, Attempt, Settle> stage_;
+  std::variant<Approach, Attempt, Tidy> stage_;
   std::optional<Outcome> outcome_;
   int inner_ = 0;
   int split_rounds_ = 0;

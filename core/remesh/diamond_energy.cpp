@@ -29,14 +29,14 @@ TrianglePair flipped_triangles_of(const Diamond& diamond) {
   return {Eigen::Vector3i(a, d, c), Eigen::Vector3i(d, b, c)};
 }
 
-bool is_feasible(const MeshPair& mesh, const TrianglePair& triangles, double delta) {
+bool is_feasible(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles, double delta) {
   return std::ranges::all_of(triangles, [&](const Eigen::Vector3i& t) {
     return is_positive_in_rest(mesh, t) &&
            signed_area(mesh.deformed(), t) > delta * signed_area(mesh.rest(), t);
   });
 }
 
-double energy_of(const MeshPair& mesh, const TrianglePair& triangles,
+double energy_of(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles,
                  const EnergySettings& settings) {
   double sum = 0;
   for (const Eigen::Vector3i& t : triangles)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "core/energy/element.h"
 #include "core/mesh/mesh_pair.h"
@@ -18,10 +19,10 @@ TrianglePair flipped_triangles_of(const Diamond& diamond);
 
 /// True when the triangles are positive in M, with a relative height well above rounding so that
 /// collinear points do not make one, and satisfy eq. 9, G > 0, in M′.
-bool is_feasible(const MeshPair& mesh, const TrianglePair& triangles, double delta);
+bool is_feasible(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles, double delta);
 
-/// E_ab: distortion and barrier of the two triangles, without the penalty.
-double energy_of(const MeshPair& mesh, const TrianglePair& triangles,
+/// Distortion and barrier of the triangles, without the penalty: E_ab of those of a diamond.
+double energy_of(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles,
                  const EnergySettings& settings);
 
 /// ‖∇E_ab‖_∞ / E_ab: cond of eq. 11 without ‖u‖_∞, which is the same for both tessellations of a

@@ -88,7 +88,7 @@ Problem Run::normalised(const Problem& problem) {
   std::vector<Handle> handles = handles_;
   for (Handle& handle : handles) handle.target = normalisation_.to_unit(handle.target);
   return {MeshPair(mesh.triangles(), rest, std::move(deformed)), energy_, std::move(handles),
-          parameters_};
+          parameters_, original_};
 }
 
 std::optional<Iteration> Run::step(std::stop_token token) {

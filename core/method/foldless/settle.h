@@ -15,9 +15,10 @@ class Settle {
   /// The handles as the energy sees them in this stage.
   const Positions& positions() const { return held_; }
 
- private:
+  /// E with the handles held.
   double energy_of(const Workspace& workspace) const;
 
+ private:
   Positions held_;
   int steps_ = 0;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/workspace.h"
 
+#include <utility>
+
 namespace foldless {
 namespace {
 
@@ -41,6 +43,18 @@ int Workspace::split_edges(const std::vector<MovingDirection>& directions,
   if (split > 0) system.rebuild(mesh, positions, split);
   splits += split;
   return split;
+}
+
+int Workspace::collapse_edges(const CollapseSettings& settings) {
+  const int removed = foldless::collapse_edges(mesh, settings);
+  if (removed > 0) system.rebuild(mesh, positions, mesh.edge_count());
+  return removed;
+}
+
+void Workspace::set_mesh(MeshPair other) {
+  mesh = std::move(other);
+  curvature = {};
+  system.rebuild(mesh, positions, mesh.edge_count());
 }
 
 bool Workspace::snap() {

@@ -5,6 +5,7 @@
 
 #include "core/energy/positions.h"
 #include "core/mesh/mesh_pair.h"
+#include "core/remesh/collapse_edges.h"
 #include "core/remesh/flip_edges.h"
 #include "core/remesh/split_edges.h"
 #include "core/solve/descend.h"
@@ -41,6 +42,10 @@ struct Workspace {
   VertexUpdate descend(const Positions& aimed, std::stop_token token);
   int flip_edges();
   int split_edges(const std::vector<MovingDirection>& directions, const SplitSettings& settings);
+  /// Returns how many vertices were removed; see collapse_edges() of core/remesh.
+  int collapse_edges(const CollapseSettings& settings);
+  /// Takes another mesh with the same handle vertices.
+  void set_mesh(MeshPair other);
   /// Puts the handles exactly on their targets if no triangle leaves the feasible set on the way,
   /// nor E_d + E_b grows much.
   bool snap();

@@ -174,5 +174,53 @@ TEST(Foldless, NewTargetsStartFromTheMeshAsItIs) {
   EXPECT_EQ(Vec2(method.mesh().deformed().col(80)), Vec2(targets.col(1)));
 }
 
+/// The grid problem after somebody split the first edges of its mesh; handles may sit on the new
+/// vertices, which begin at 81.
+Problem split_grid_problem(int splits, const std::vector<std::pair<int, Vec2>>& handles) {
+  const Problem before = grid_problem({});
+  Problem problem = before;
+  for (int e = 0; e < splits; ++e) problem.mesh.split_edge(e, 0.4);
+  for (const auto& [vertex, move] : handles)
+    problem.handles.push_back({.id = static_cast<int>(problem.handles.size()),
+                               .vertex = vertex,
+                               .target = problem.mesh.rest().col(vertex) + move});
+  problem.original = OriginalMesh{std::make_shared<const Triangles>(before.mesh.triangles()),
+                                  before.mesh.vertex_count()};
+  return problem;
+}
+
+TEST(Foldless, VerticesOfSplitsThatNobodyNeedsGo) {
+  const Problem problem = split_grid_problem(12, {{0, {0, 0}}, {80, {0.1, 0.05}}});
+  ASSERT_EQ(problem.mesh.vertex_count(), 93);
+  Foldless method(problem);
+  run(method);
+  ASSERT_EQ(method.outcome(), Outcome::gradient);
+  EXPECT_LE(method.mesh().vertex_count(), 81 + 81 / 10);
+  EXPECT_EQ(method.mesh().rest().leftCols(81), problem.mesh.rest().leftCols(81));
+}
+
+TEST(Foldless, AHandleOnAVertexOfASplitKeepsItsVertex) {
+  const Problem problem = split_grid_problem(12, {{0, {0, 0}}, {84, {0.1, 0.05}}});
+  Foldless method(problem);
+  run(method);
+  ASSERT_EQ(method.outcome(), Outcome::gradient);
+  EXPECT_LT(method.mesh().vertex_count(), 93);
+  EXPECT_EQ(method.mesh().rest().leftCols(85), problem.mesh.rest().leftCols(85));
+  EXPECT_EQ(Vec2(method.mesh().deformed().col(84)), problem.handles[1].target);
+}
+
+TEST(Foldless, NewTargetsGoOnFromAMeshThatLostVertices) {
+  const Problem problem = split_grid_problem(12, {{0, {0, 0}}, {80, {0.1, 0.05}}});
+  Foldless method(problem);
+  run(method);
+  ASSERT_LT(method.mesh().vertex_count(), 93);
+  Points targets(2, 2);
+  targets << problem.handles[0].target, problem.handles[1].target + Vec2(0.05, -0.1);
+  method.set_targets(targets);
+  run(method);
+  ASSERT_EQ(method.outcome(), Outcome::gradient);
+  EXPECT_EQ(Vec2(method.mesh().deformed().col(80)), Vec2(targets.col(1)));
+}
+
 }  // namespace
 }  // namespace foldless

@@ -309,6 +309,28 @@ TEST(Run, SplitsAddVerticesButNoFlippedEdges) {
   EXPECT_TRUE(now.flipped_edges->empty());
 }
 
+TEST(Run, FollowsAMeshThatLosesVerticesOfSplits) {
+  Problem problem = placed(grid_problem(5, Vec2(4.5, 5)), 1.7, Vec2(3, 4));
+  problem.original = OriginalMesh{std::make_shared<const Triangles>(problem.mesh.triangles()),
+                                  problem.mesh.vertex_count()};
+  const Points rest = problem.mesh.rest();
+  for (int e = 0; e < 6; ++e) problem.mesh.split_edge(e, 0.5);
+  problem.parameters.method = "foldless";
+  foldless::Run run(problem);
+  EXPECT_EQ(run.snapshot()->rest->cols(), 31);
+  const std::vector<Iteration> records = finish(run);
+  const Snapshot& now = *run.snapshot();
+  ASSERT_LT(now.rest->cols(), 31);
+  EXPECT_EQ(now.rest->cols(), now.deformed.cols());
+  EXPECT_EQ(now.rest->leftCols(25), rest);
+  EXPECT_EQ(now.original_vertices, 25);
+  EXPECT_TRUE(is_injective(*now.triangles, *now.rest, now.deformed));
+  EXPECT_TRUE(run.is_satisfied());
+  EXPECT_NEAR(records.back().max_conformal_distortion,
+              quality_of(*now.triangles, *now.rest, now.deformed).max_conformal_distortion, 1e-9);
+  EXPECT_EQ(run.resumed().mesh.vertex_count(), now.rest->cols());
+}
+
 TEST(Run, ResumedProblemsRememberTheOriginalMesh) {
   Problem problem = grid_problem(6, Vec2(2.5, 2.2));
   problem.energy = find_density("lscm");

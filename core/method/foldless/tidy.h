@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/method/foldless/settle.h"
+
+namespace foldless {
+
+/// The last stage: settles, and where splits left vertices that nobody needs, collapses them and
+/// settles again, as long as the energy stays about what it was. Arrives when nothing is left to
+/// do; what raised the energy too much has been undone then.
+class Tidy {
+ public:
+  /// Vertices of index `first_removable` or more are no handles and may go.
+  Tidy(Workspace& workspace, int first_removable);
+  Progress step(Workspace& workspace, std::stop_token token, VertexUpdate& update);
+  /// The handles as the energy sees them in this stage.
+  const Positions& positions() const { return settle_.positions(); }
+
+ private:
+  /// What a round began with.
+  struct Before {
+    MeshPair mesh;
+    double energy;
+  };
+
+  bool begin_round(Workspace& workspace);
+
+  int first_removable_;
+  Settle settle_;
+  int rounds_ = 0;
+  std::optional<Before> before_;
+};
+
+}  // namespace foldless
