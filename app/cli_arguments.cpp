@@ -152,10 +152,11 @@ void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
 }
 
 void read_bench(const Texts& texts, BenchCall& call) {
-  if (!call.suite.empty() && call.suite != "random" && call.suite != "paper")
-    throw Error("--suite " + in_quotes(call.suite) + " is unknown; choose random or paper");
+  if (!call.suite.empty() && call.suite != "random" && call.suite != "paper" &&
+      call.suite != "scale")
+    throw Error("--suite " + in_quotes(call.suite) + " is unknown; choose random, paper or scale");
   if (call.suite.empty() == call.scenes.empty())
-    throw Error("bench takes either scene files or --suite random|paper");
+    throw Error("bench takes either scene files or --suite random|paper|scale");
   for (const std::string& name : CLI::detail::split(texts.methods, ','))
     if (!name.empty()) {
       expect_name("--method", name, methods());
@@ -234,7 +235,8 @@ CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
   bench->add_option("SCENE", call.scenes, "scene files, where no suite is named");
   bench
       ->add_option("--suite", call.suite,
-                   "random: scenes drawn from a seed; paper: Table 1 and Figure 13")
+                   "random: scenes drawn from a seed; paper: Table 1 and Figure 13; scale: meshes "
+                   "of two thousand to a million triangles")
       ->type_name("NAME");
   bench
       ->add_option("--method", texts.methods,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "app/bench/bench_report.h"
 #include "app/bench/paper_suite.h"
 #include "app/bench/random_suite.h"
+#include "app/bench/scale_suite.h"
 #include "app/cli.h"
 #include "app/cli_calls.h"
 #include "app/cli_interrupt.h"
@@ -98,6 +100,13 @@ std::string notes_of(const std::vector<BenchRow>& rows) {
 
 using Rows = std::vector<BenchRow>;
 
+/// The most memory that the process has had so far.
+double peak_gibibytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / (1 << 20);
+}
+
 void write_rows(const std::filesystem::path& folder, const Rows& rows) {
   write_file_atomically(folder / "results.csv", rows_csv_table(rows).csv());
   write_file_atomically(folder / "results.json", json_text(rows_node(rows)));
@@ -144,6 +153,20 @@ void run_comparison(const BenchCall& call, const Interrupt& interrupt) {
   if (call.folder) write_comparison(*call.folder, rows);
 }
 
+void run_scale(const BenchCall& call, const Interrupt& interrupt) {
+  std::vector<BenchScene> scenes = scale_suite();
+  for (int i = static_cast<int>(scenes.size()) - 1; i >= 0; --i)
+    if (!is_wanted(call, i)) scenes.erase(scenes.begin() + i);
+  if (call.keep) keep_scenes(*call.keep, scenes);
+  const Rows rows = run_with_progress(call, jobs_of(call, scenes), interrupt);
+  std::cout << scale_table(rows).plain();
+  std::cout << "\npeak memory of the process: " << number_text(peak_gibibytes()) << " GiB\n";
+  if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
+  if (!call.folder) return;
+  write_rows(*call.folder, rows);
+  write_file_atomically(*call.folder / "summary.md", scale_table(rows).markdown());
+}
+
 /// Keeps the jobs of the scenes that are wanted, numbered as paper_suite() has them.
 void keep_wanted(const BenchCall& call, PaperSuite& suite) {
   std::vector<BenchJob> jobs;
@@ -176,6 +199,8 @@ int bench(const BenchCall& call) {
   if (call.folder) make_folder(*call.folder);
   if (call.suite == "paper")
     run_paper(call, interrupt);
+  else if (call.suite == "scale")
+    run_scale(call, interrupt);
   else
     run_comparison(call, interrupt);
   return interrupt.is_requested() ? kExitInterrupted : kExitDone;
