@@ -11,9 +11,6 @@
 namespace foldless {
 namespace {
 
-/// From this many unknowns on the supernodal factorization was measured to be faster.
-constexpr int kSupernodalFrom = 2000;
-
 /// A view of our arrays as a CHOLMOD matrix, lower triangle, nothing copied.
 cholmod_sparse view(int size, const std::vector<int>& start, const std::vector<int>& row,
                     const double* value) {
@@ -95,7 +92,8 @@ void Cholesky::analyze(const SparseSymmetric& matrix, bool keep_ordering) {
   s.factorized = false;
   const auto size = static_cast<std::size_t>(matrix.size());
   if (!keep_ordering || s.ordering.size() != size) s.order(matrix);
-  s.common.supernodal = matrix.size() >= kSupernodalFrom ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
+  s.common.supernodal =
+      matrix.size() >= Cholesky::kSupernodalFrom ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
   cholmod_free_factor(&s.factor, &s.common);
   cholmod_sparse a = view(matrix.size(), matrix.column_start, matrix.row, matrix.value.data());
   s.factor = cholmod_analyze_p(&a, s.ordering.data(), nullptr, 0, &s.common);
