@@ -154,9 +154,9 @@ void run_comparison(const BenchCall& call, const Interrupt& interrupt) {
 }
 
 void run_scale(const BenchCall& call, const Interrupt& interrupt) {
-  std::vector<BenchScene> scenes = scale_suite();
-  for (int i = static_cast<int>(scenes.size()) - 1; i >= 0; --i)
-    if (!is_wanted(call, i)) scenes.erase(scenes.begin() + i);
+  std::vector<BenchScene> scenes;
+  for (int i = 0; i < kScaleScenes; ++i)
+    if (is_wanted(call, i)) scenes.push_back(scale_scene(i));
   if (call.keep) keep_scenes(*call.keep, scenes);
   const Rows rows = run_with_progress(call, jobs_of(call, scenes), interrupt);
   std::cout << scale_table(rows).plain();

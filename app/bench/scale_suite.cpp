@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -74,13 +75,12 @@ std::string size_words(int faces) { return std::to_string(faces / 1000) + "k"; }
 
 }  // namespace
 
-std::vector<BenchScene> scale_suite() {
-  std::vector<BenchScene> scenes;
-  for (const int faces : kSizes)
-    scenes.push_back(bend("bend-" + size_words(faces), faces, kStrongBend));
-  for (const int faces : kSizes) scenes.push_back(twist("twist-" + size_words(faces), faces));
-  scenes.push_back(bend("mild-" + size_words(kLargest), kLargest, kMildBend));
-  return scenes;
+BenchScene scale_scene(int index) {
+  constexpr int kOfAKind = static_cast<int>(std::size(kSizes));
+  if (index >= 2 * kOfAKind) return bend("mild-" + size_words(kLargest), kLargest, kMildBend);
+  const int faces = kSizes[index % kOfAKind];
+  return index < kOfAKind ? bend("bend-" + size_words(faces), faces, kStrongBend)
+                          : twist("twist-" + size_words(faces), faces);
 }
 
 TextTable scale_table(std::span<const BenchRow> rows) {

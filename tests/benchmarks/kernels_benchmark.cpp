@@ -98,6 +98,24 @@ void scan_for_flips(benchmark::State& state) {
 }
 BENCHMARK(scan_for_flips)->Apply(sizes);
 
+void split_edge(benchmark::State& state) {
+  const MeshPair start = turned_disk(static_cast<int>(state.range(0)), kTwist).mesh;
+  MeshPair mesh = start;
+  constexpr int kMostSplits = 10000;  // then from the start again: the mesh should not grow much
+  int edge = 0;
+  for (auto _ : state) {
+    if (edge == kMostSplits || edge == start.edge_count()) {
+      state.PauseTiming();
+      mesh = start;
+      edge = 0;
+      state.ResumeTiming();
+    }
+    benchmark::DoNotOptimize(mesh.split_edge(edge++, 0.5));
+  }
+  report_triangles(state, start);
+}
+BENCHMARK(split_edge)->Arg(5000)->Arg(50000)->Arg(500000)->Unit(benchmark::kMicrosecond);
+
 void prove_injective(benchmark::State& state) {
   const Twist twist(static_cast<int>(state.range(0)));
   const MeshPair& mesh = twist.problem.mesh;
