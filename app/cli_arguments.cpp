@@ -153,10 +153,11 @@ void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
 
 void read_bench(const Texts& texts, BenchCall& call) {
   if (!call.suite.empty() && call.suite != "random" && call.suite != "paper" &&
-      call.suite != "scale")
-    throw Error("--suite " + in_quotes(call.suite) + " is unknown; choose random, paper or scale");
+      call.suite != "scale" && call.suite != "drag")
+    throw Error("--suite " + in_quotes(call.suite) +
+                " is unknown; choose random, paper, scale or drag");
   if (call.suite.empty() == call.scenes.empty())
-    throw Error("bench takes either scene files or --suite random|paper|scale");
+    throw Error("bench takes either scene files or --suite random|paper|scale|drag");
   for (const std::string& name : CLI::detail::split(texts.methods, ','))
     if (!name.empty()) {
       expect_name("--method", name, methods());
@@ -236,7 +237,8 @@ CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
   bench
       ->add_option("--suite", call.suite,
                    "random: scenes drawn from a seed; paper: Table 1 and Figure 13; scale: meshes "
-                   "of two thousand to a million triangles")
+                   "of two thousand to a million triangles; drag: how targets that move frame by "
+                   "frame are followed")
       ->type_name("NAME");
   bench
       ->add_option("--method", texts.methods,

@@ -9,6 +9,8 @@
 
 #include "app/bench/bench_pool.h"
 #include "app/bench/bench_report.h"
+#include "app/bench/drag_suite.h"
+#include "app/bench/drag_table.h"
 #include "app/bench/paper_suite.h"
 #include "app/bench/random_suite.h"
 #include "app/bench/scale_suite.h"
@@ -167,6 +169,24 @@ void run_scale(const BenchCall& call, const Interrupt& interrupt) {
   write_file_atomically(*call.folder / "summary.md", scale_table(rows).markdown());
 }
 
+void write_drags(const std::filesystem::path& folder, const Rows& rows) {
+  write_file_atomically(folder / "results.csv", drag_csv_table(rows).csv());
+  write_file_atomically(folder / "results.json", json_text(drag_node(rows)));
+  write_file_atomically(folder / "frames.csv", drag_frames_table(rows).csv());
+  write_file_atomically(folder / "summary.md", drag_table(rows).markdown());
+}
+
+void run_drags(const BenchCall& call, const Interrupt& interrupt) {
+  std::vector<BenchScene> drags = drag_suite();
+  for (int i = static_cast<int>(drags.size()) - 1; i >= 0; --i)
+    if (!is_wanted(call, i)) drags.erase(drags.begin() + i);
+  if (call.keep) keep_scenes(*call.keep, drags);
+  const Rows rows = run_with_progress(call, jobs_of(call, drags), interrupt);
+  std::cout << drag_table(rows).plain();
+  if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
+  if (call.folder) write_drags(*call.folder, rows);
+}
+
 /// Keeps the jobs of the scenes that are wanted, numbered as paper_suite() has them.
 void keep_wanted(const BenchCall& call, PaperSuite& suite) {
   std::vector<BenchJob> jobs;
@@ -201,6 +221,8 @@ int bench(const BenchCall& call) {
     run_paper(call, interrupt);
   else if (call.suite == "scale")
     run_scale(call, interrupt);
+  else if (call.suite == "drag")
+    run_drags(call, interrupt);
   else
     run_comparison(call, interrupt);
   return interrupt.is_requested() ? kExitInterrupted : kExitDone;

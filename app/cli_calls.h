@@ -55,7 +55,7 @@ struct CheckCall {
 
 /// `foldless bench [SCENE...]`
 struct BenchCall {
-  std::string suite;                          ///< `random`, `paper` or `scale`; empty: `scenes`
+  std::string suite;  ///< `random`, `paper`, `scale` or `drag`; empty: `scenes`
   std::vector<std::filesystem::path> scenes;  ///< scene files
   std::vector<std::string> methods;           ///< empty: all
   std::uint64_t seed = 1;                     ///< of the random suite

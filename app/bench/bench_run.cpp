@@ -4,6 +4,7 @@
 #include <exception>
 #include <limits>
 
+#include "app/bench/drag_run.h"
 #include "core/energy/positions.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
@@ -55,7 +56,10 @@ void run_to_its_end(const BenchJob& job, std::stop_token token, BenchRow& row) {
   const Problem problem = problem_of(job);
   const double start = thread_seconds();
   Run run(problem);
-  while (const auto record = run.step(token)) row.iterations.push_back(*record);
+  if (job.scene->targets.empty())
+    while (const auto record = run.step(token)) row.iterations.push_back(*record);
+  else
+    run_drag(job, run, token, row);
   row.seconds = thread_seconds() - start;
   row.outcome = name_of(run.outcome().value_or(Outcome::cancelled));
   row.is_satisfied = run.is_satisfied();

@@ -17,6 +17,16 @@ struct BenchJob {
   Parameters parameters;
 };
 
+/// How a run followed one frame of a drag.
+struct DragFrame {
+  double first_seconds = 0;  ///< processor time from the new targets to the first mesh after them
+  double seconds = 0;        ///< and to the last mesh of the frame
+  int iterations = 0;
+  int factorizations = 0;
+  double distance = 0;    ///< of the farthest handle from its target at the end [length]
+  bool is_valid = false;  ///< of the mesh on show at the end
+};
+
 /// What one run came to. Lengths and areas in units of the scene.
 struct BenchRow {
   std::size_t job = 0;  ///< its index among the jobs
@@ -37,6 +47,7 @@ struct BenchRow {
   double max_conformal_distortion = 1;   ///< not a number where the map is not valid
   double mean_conformal_distortion = 1;  ///< likewise
   std::vector<Iteration> iterations;     ///< every record
+  std::vector<DragFrame> frames;         ///< of a drag
 
   bool has_reached() const { return is_satisfied && is_valid && outcome != "time-limit"; }
   double relative_handle_error() const { return handle_error_squared / (diagonal * diagonal); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/scene/scene.h"
 
@@ -12,6 +13,7 @@ struct BenchScene {
   std::string name;        ///< unique in its suite; fit for a file name
   std::string difficulty;  ///< of the random suite; empty elsewhere
   Scene scene;
+  std::vector<Points> targets = {};  ///< of a drag, frame by frame; else empty
 };
 
 }  // namespace foldless
