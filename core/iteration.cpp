@@ -21,6 +21,7 @@ std::string_view name_of(Phase phase) {
     case Phase::relax: return "relax";
     case Phase::approach: return "approach";
     case Phase::transport: return "transport";
+    case Phase::pursue: return "pursue";
     case Phase::settle: return "settle";
   }
   return "";

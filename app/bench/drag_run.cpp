@@ -29,8 +29,7 @@ void run_drag(const BenchJob& job, Run& run, std::stop_token token, BenchRow& ro
     const int factorizations = row.iterations.empty() ? 0 : row.iterations.back().factorizations;
     const double start = thread_seconds();
     run.set_targets(targets);
-    while (frame.iterations < kMostIterations &&
-           farthest(*run.snapshot()) > kHome * row.diagonal) {
+    while (frame.iterations < kMostIterations && farthest(*run.snapshot()) > kHome * row.diagonal) {
       const auto record = run.step(token);
       frame.seconds = thread_seconds() - start;
       if (frame.first_seconds == 0) frame.first_seconds = frame.seconds;

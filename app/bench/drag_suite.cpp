@@ -61,8 +61,8 @@ BenchScene scene_of(const std::string& name, const Shape& shape) {
 
 /// The middle of a square whose corners are held.
 BenchScene square(int cells) {
-  BenchScene drag =
-      scene_of("square", grid({.columns = cells, .rows = cells, .diagonal = Diagonal::alternating}));
+  BenchScene drag = scene_of(
+      "square", grid({.columns = cells, .rows = cells, .diagonal = Diagonal::alternating}));
   const int row = cells + 1;
   for (const int v : {0, cells, cells * row, cells * row + cells})
     hold(drag.scene, v, HandleKind::pin);

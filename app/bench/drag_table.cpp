@@ -26,7 +26,8 @@ struct Column {
 };
 
 constexpr std::array kColumns{
-    Column{"vertices", [](const BenchRow& row, const DragSummary&) { return double(row.vertices); }},
+    Column{"vertices",
+           [](const BenchRow& row, const DragSummary&) { return double(row.vertices); }},
     Column{"faces", [](const BenchRow& row, const DragSummary&) { return double(row.faces); }},
     Column{"frames",
            [](const BenchRow& row, const DragSummary&) { return double(row.frames.size()); }},

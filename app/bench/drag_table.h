@@ -15,7 +15,7 @@ struct DragSummary {
   double p95_first_seconds = 0;
   double median_seconds = 0;  ///< and to the last mesh of the frame
   double p95_seconds = 0;
-  double p95_distance = 0;   ///< of the farthest handle from its target at the end of a frame [D]
+  double p95_distance = 0;    ///< of the farthest handle from its target at the end of a frame [D]
   double factorizations = 0;  ///< a frame, mean
   double iterations = 0;      ///< a frame, mean
   int invalid = 0;            ///< frames that end with a folded mesh

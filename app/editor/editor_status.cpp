@@ -8,6 +8,14 @@
 namespace foldless {
 namespace {
 
+/// What `foldless` does where handles are locked, while the best mesh stays on show.
+std::string locked_words(const Iteration& last) {
+  if (last.phase == Phase::transport) return ": handles are locked, trying a way round";
+  if (last.phase == Phase::approach && last.outer > 0)
+    return ": handles are locked, edges were split";
+  return {};
+}
+
 std::string solving_words(const Editor& editor) {
   const Parameters& parameters = editor.document().parameters;
   std::string words = "Solving";
@@ -15,6 +23,7 @@ std::string solving_words(const Editor& editor) {
   const Iteration& last = editor.iterations().back();
   words.append(" ").append(std::to_string(last.inner));
   words.append("/").append(std::to_string(parameters.inner_iterations));
+  if (const std::string locked = locked_words(last); !locked.empty()) return words + locked;
   if (last.outer > 0) {
     words.append(", round ").append(std::to_string(last.outer + 1));
     words.append("/").append(std::to_string(parameters.outer_iterations));

@@ -39,6 +39,8 @@ Objective::Objective(const EnergySettings& settings, const MeshPair& mesh,
   Eigen::Index moving = 0;
   for (const auto& t : mesh.triangles().colwise()) {
     if (node_of(t[0]) < 0) continue;
+    if (std::ranges::any_of(t, [&](int v) { return is_handle(node_of(v)); }))
+      triangles_of_handles_.push_back(moving);
     triangles_.col(moving++) = t;
     rest_.push_back(rest_element(settings_, corners_of(mesh.rest(), t)));
   }
@@ -80,7 +82,7 @@ Eigen::VectorXd Objective::assemble(const Points& u, const Positions& positions,
     std::array<int, 3> nodes{};
     for (int corner = 0; corner < 3; ++corner) {
       const int node = node_of(triangles_(corner, t));
-      const bool is_out = positions.held && is_handle_[static_cast<std::size_t>(node)];
+      const bool is_out = positions.held && is_handle(node);
       nodes[static_cast<std::size_t>(corner)] = is_out ? -1 : node;
       gradient.segment<2>(2 * node) += e.gradient.segment<2>(2 * corner);
     }
@@ -89,6 +91,23 @@ Eigen::VectorXd Objective::assemble(const Points& u, const Positions& positions,
   add_positions(u, positions, gradient);
   add_positions(positions, hessian);
   return gradient;
+}
+
+Eigen::VectorXd Objective::pull_of_handles(const Points& u, const Points& way) const {
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * unknowns_.count());
+  for (const Eigen::Index t : triangles_of_handles_) {
+    const auto& corners = triangles_.col(t);
+    const Corners moves = corners_of(way, corners);
+    if (moves.isZero(0)) continue;
+    const ElementHessian e = element_hessian(settings_, rest_[static_cast<std::size_t>(t)],
+                                             corners_of(u, corners), Curvature::clamped);
+    const Eigen::Matrix<double, 6, 1> change = e.hessian * moves.reshaped();
+    for (int corner = 0; corner < 3; ++corner) {
+      const int node = node_of(corners[corner]);
+      if (!is_handle(node)) pull.segment<2>(2 * node) += change.segment<2>(2 * corner);
+    }
+  }
+  return pull;
 }
 
 void Objective::add_positions(const Points& u, const Positions& positions,

@@ -38,6 +38,10 @@ class Objective {
   /// held handles are those of the identity.
   Eigen::VectorXd assemble(const Points& u, const Positions& positions, SparseSymmetric& hessian,
                            Curvature curvature = Curvature::exact) const;
+  /// How ∇E changes at the other unknowns, to first order, when handles that may be held move by
+  /// `way` (2 × #V, zero elsewhere): K_fh way of ∇²E with clamped elements, 2 #unknowns, zero at
+  /// those handles. Precondition: u is feasible.
+  Eigen::VectorXd pull_of_handles(const Points& u, const Points& way) const;
   /// ∇²E with all values zero.
   SparseSymmetric hessian_pattern() const;
 
@@ -50,13 +54,15 @@ class Objective {
  private:
   void add_positions(const Points& u, const Positions& positions, Eigen::VectorXd& gradient) const;
   void add_positions(const Positions& positions, SparseSymmetric& hessian) const;
+  bool is_handle(int node) const { return is_handle_[static_cast<std::size_t>(node)]; }
   int node_of(int v) const { return unknowns_.node_of_vertex[static_cast<std::size_t>(v)]; }
 
   EnergySettings settings_;
   Unknowns unknowns_;
-  std::vector<bool> is_handle_;    ///< by node: a handle that may be held
-  Triangles triangles_;            ///< of the components that move
-  std::vector<RestElement> rest_;  ///< one a triangle
+  std::vector<bool> is_handle_;                     ///< by node: a handle that may be held
+  Triangles triangles_;                             ///< of the components that move
+  std::vector<RestElement> rest_;                   ///< one a triangle
+  std::vector<Eigen::Index> triangles_of_handles_;  ///< those with a corner at such a handle
 };
 
 }  // namespace foldless

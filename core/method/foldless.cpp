@@ -57,8 +57,12 @@ std::unique_ptr<Method> Foldless::clone() const { return std::make_unique<Foldle
 
 void Foldless::set_targets(const Points& targets) {
   work_.positions.targets = targets;
-  stage_ = Approach(work_);
+  if (work_.error() > 0)
+    stage_ = Pursue(work_);
+  else
+    stage_ = Tidy(work_, first_removable_);
   split_rounds_ = 0;
+  next_plan_ = 0;
   plans_.clear();
   if (work_.system.objective().unknowns().count() > 0) outcome_.reset();
 }
@@ -75,6 +79,7 @@ std::optional<Iteration> Foldless::step(std::stop_token token) {
 std::optional<Iteration> Foldless::advance(std::stop_token token) {
   if (auto* stage = std::get_if<Approach>(&stage_)) return approach(*stage, token);
   if (auto* stage = std::get_if<Attempt>(&stage_)) return transport(*stage, token);
+  if (auto* stage = std::get_if<Pursue>(&stage_)) return pursue(*stage, token);
   return settle(std::get<Tidy>(stage_), token);
 }
 
@@ -103,6 +108,17 @@ std::optional<Iteration> Foldless::transport(Attempt& attempt, std::stop_token t
     work_.take_counts(attempt.work);
     begin_next_transport();
   }
+  return iteration;
+}
+
+std::optional<Iteration> Foldless::pursue(Pursue& stage, std::stop_token token) {
+  VertexUpdate update;
+  const Progress progress = stage.step(work_, token, update);
+  if (progress == Progress::cancelled) return std::nullopt;
+  Iteration iteration = record(work_, update, stage.positions());
+  iteration.phase = Phase::pursue;
+  if (progress == Progress::arrived) stage_ = Tidy(work_, first_removable_);
+  if (progress == Progress::locked) stage_ = Approach(work_);
   return iteration;
 }
 

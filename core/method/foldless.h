@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "core/method/foldless/approach.h"
+#include "core/method/foldless/pursue.h"
 #include "core/method/foldless/tidy.h"
 #include "core/method/foldless/transport.h"
 #include "core/method/method.h"
@@ -16,7 +17,8 @@ namespace foldless {
 ///
 /// Approach → Tidy where nothing blocks. A locked approach splits edges at the handles that are
 /// not home and begins again; when that gains no more, transports are tried on a second mesh while
-/// mesh() stays the best one so far.
+/// mesh() stays the best one so far. Where targets move: Pursue → Tidy, and the approach only
+/// when that locks.
 class Foldless final : public Method {
  public:
   explicit Foldless(Problem problem);
@@ -38,6 +40,7 @@ class Foldless final : public Method {
   std::optional<Iteration> advance(std::stop_token token);
   std::optional<Iteration> approach(Approach& stage, std::stop_token token);
   std::optional<Iteration> transport(Attempt& attempt, std::stop_token token);
+  std::optional<Iteration> pursue(Pursue& stage, std::stop_token token);
   std::optional<Iteration> settle(Tidy& stage, std::stop_token token);
   Iteration record(Workspace& work, const VertexUpdate& update, const Positions& positions);
   void after_locked_approach();
@@ -48,7 +51,7 @@ class Foldless final : public Method {
   int first_removable_;  ///< vertices of lower index stay
   EnergySettings energy_;
   Workspace work_;
-  std::variant<Approach, Attempt, Tidy> stage_;
+  std::variant<Approach, Attempt, Pursue, Tidy> stage_;
   std::optional<Outcome> outcome_;
   int inner_ = 0;
   int split_rounds_ = 0;

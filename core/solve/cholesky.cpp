@@ -5,8 +5,17 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <utility>
 #include <vector>
+
+/// CHOLMOD opens a parallel region for every few columns, and libgomp makes a team for each, even
+/// of one thread: half of the time of a factorization. This definition comes before libgomp's: the
+/// region runs on the calling thread, outside of any team.
+extern "C" __attribute__((visibility("default"))) void GOMP_parallel(void (*region)(void*),
+                                                                     void* data, unsigned,
+                                                                     unsigned);
+void GOMP_parallel(void (*region)(void*), void* data, unsigned, unsigned) { region(data); }
 
 namespace foldless {
 namespace {
@@ -55,6 +64,8 @@ struct Cholesky::State {
   State& operator=(const State&) = delete;
 
   void order(const SparseSymmetric& matrix);
+  void permute_pattern(const SparseSymmetric& matrix);
+  cholmod_sparse permuted(const SparseSymmetric& matrix);
 
   cholmod_common common;
   cholmod_factor* factor = nullptr;
@@ -62,6 +73,12 @@ struct Cholesky::State {
   cholmod_dense* work_y = nullptr;
   cholmod_dense* work_e = nullptr;
   std::vector<int> ordering;  ///< of the unknowns
+  // The matrix in the order of the factor, made once a pattern: CHOLMOD by itself would transpose
+  // the matrix twice for every factorization.
+  std::vector<int> start, row;
+  std::vector<double> value;
+  std::vector<int> place;  ///< where each value of the matrix goes
+  Eigen::VectorXd right_hand_side;
   bool factorized = false;
 };
 
@@ -75,6 +92,47 @@ void Cholesky::State::order(const SparseSymmetric& matrix) {
     ordering[2 * k] = 2 * vertices[k];
     ordering[2 * k + 1] = 2 * vertices[k] + 1;
   }
+}
+
+/// Supernodal factorizations read the lower triangle as it is, simplicial ones the upper.
+void Cholesky::State::permute_pattern(const SparseSymmetric& matrix) {
+  const auto size = static_cast<std::size_t>(matrix.size());
+  const auto* permutation = static_cast<const int*>(factor->Perm);
+  std::vector<int> position(size);
+  for (std::size_t k = 0; k < size; ++k)
+    position[static_cast<std::size_t>(permutation[k])] = static_cast<int>(k);
+  const auto visit = [&](const auto& put) {
+    for (std::size_t column = 0, k = 0; column < size; ++column)
+      for (; k < static_cast<std::size_t>(matrix.column_start[column + 1]); ++k) {
+        const int a = position[column], b = position[static_cast<std::size_t>(matrix.row[k])];
+        const auto [least, greatest] = std::minmax(a, b);
+        if (factor->is_super)
+          put(k, greatest, static_cast<std::size_t>(least));
+        else
+          put(k, least, static_cast<std::size_t>(greatest));
+      }
+  };
+  start.assign(size + 1, 0);
+  visit([&](std::size_t, int, std::size_t column) { ++start[column + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  row.resize(matrix.row.size());
+  place.resize(matrix.row.size());
+  std::vector<int> next(start.begin(), start.end() - 1);
+  visit([&](std::size_t k, int r, std::size_t column) {
+    place[k] = next[column]++;
+    row[static_cast<std::size_t>(place[k])] = r;
+  });
+  factor->ordering = CHOLMOD_NATURAL;
+}
+
+cholmod_sparse Cholesky::State::permuted(const SparseSymmetric& matrix) {
+  value.resize(matrix.value.size());
+  for (std::size_t k = 0; k < place.size(); ++k)
+    value[static_cast<std::size_t>(place[k])] = matrix.value[k];
+  cholmod_sparse m = view(matrix.size(), start, row, value.data());
+  m.stype = factor->is_super ? -1 : 1;
+  m.sorted = 0;
+  return m;
 }
 
 Cholesky::Cholesky() : state_(std::make_unique<State>()) {}
@@ -98,11 +156,12 @@ void Cholesky::analyze(const SparseSymmetric& matrix, bool keep_ordering) {
   cholmod_sparse a = view(matrix.size(), matrix.column_start, matrix.row, matrix.value.data());
   s.factor = cholmod_analyze_p(&a, s.ordering.data(), nullptr, 0, &s.common);
   if (!s.factor) throw std::bad_alloc();
+  s.permute_pattern(matrix);
 }
 
 bool Cholesky::factorize(const SparseSymmetric& matrix, double shift) {
   State& s = *state_;
-  cholmod_sparse a = view(matrix.size(), matrix.column_start, matrix.row, matrix.value.data());
+  cholmod_sparse a = s.permuted(matrix);
   double beta[2] = {shift, 0};
   cholmod_factorize_p(&a, beta, nullptr, 0, s.factor, &s.common);
   if (s.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
@@ -115,17 +174,22 @@ bool Cholesky::has_factor() const { return state_->factorized; }
 
 Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
   State& s = *state_;
+  const Eigen::Map<const Eigen::VectorXi> permutation(static_cast<const int*>(s.factor->Perm),
+                                                      right_hand_side.size());
+  s.right_hand_side = right_hand_side(permutation);
   cholmod_dense b{};
   b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right_hand_side.size());
   b.ncol = 1;
-  b.x = const_cast<double*>(right_hand_side.data());
+  b.x = s.right_hand_side.data();
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
   if (!cholmod_solve2(CHOLMOD_A, s.factor, &b, nullptr, &s.solution, nullptr, &s.work_y, &s.work_e,
                       &s.common))
     throw std::bad_alloc();
-  return Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(s.solution->x),
-                                           right_hand_side.size());
+  Eigen::VectorXd solution(right_hand_side.size());
+  solution(permutation) = Eigen::Map<const Eigen::VectorXd>(
+      static_cast<const double*>(s.solution->x), right_hand_side.size());
+  return solution;
 }
 
 }  // namespace foldless

@@ -11,15 +11,6 @@ constexpr double kFirstShift = 1e-9;
 constexpr double kLargestShift = 1e3;
 constexpr double kShiftFactor = 100;
 
-/// The shift that made the clamped ∇²E positive definite; nothing when cancelled or hopeless.
-std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token) {
-  for (double mu = kFirstShift; mu < kLargestShift; mu *= kShiftFactor) {
-    if (token.stop_requested()) return std::nullopt;
-    if (system.factorize(mu)) return mu;
-  }
-  return std::nullopt;
-}
-
 constexpr int kMostFullStepsWanted = 8;
 
 void after_clamped(CurvatureChoice& choice, double step_length) {
@@ -34,6 +25,14 @@ void after_failure(CurvatureChoice& choice) {
 }
 
 }  // namespace
+
+std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token) {
+  for (double mu = kFirstShift; mu < kLargestShift; mu *= kShiftFactor) {
+    if (token.stop_requested()) return std::nullopt;
+    if (system.factorize(mu)) return mu;
+  }
+  return std::nullopt;
+}
 
 VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
                      CurvatureChoice& choice, std::stop_token token) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <stop_token>
 
 #include "core/solve/update_vertices.h"
@@ -15,6 +16,10 @@ struct CurvatureChoice {
   int full_steps = 0;         ///< with the clamped ∇²E since the exact one was tried
   int full_steps_wanted = 1;  ///< before it is tried again
 };
+
+/// Factorizes ∇²E as last assembled with clamped elements: the shift that rounding made necessary,
+/// or nothing when cancelled or hopeless. Counts H.
+std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token);
 
 /// One step of Newton's method without damping: with the exact ∇²E where that is positive definite,
 /// else with the curvature of every element clamped. Moves the deformed positions of `mesh`; they

@@ -9,7 +9,6 @@
 namespace foldless {
 namespace {
 
-constexpr double kFirstTrial = 0.8;  ///< of the largest feasible step
 constexpr double kArmijo = 1e-4;
 constexpr int kMostHalvings = 60;
 

@@ -5,6 +5,9 @@
 
 namespace foldless {
 
+/// The first trial of a line search, as a part of the largest feasible step.
+inline constexpr double kFirstTrial = 0.8;
+
 /// Where a line search ended.
 struct LineSearchResult {
   double step_length = 0;  ///< t in (0, 1], or 0 when no decrease was found

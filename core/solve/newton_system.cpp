@@ -93,6 +93,12 @@ Points NewtonSystem::newton_step() {
   return objective_.spread(cholesky_.solve(-gradient_));
 }
 
+Points NewtonSystem::carrying_step(const Points& u, const Points& way) {
+  StageTimer timer(times.solve);
+  const Eigen::VectorXd pull = objective_.pull_of_handles(u, way);
+  return objective_.spread(cholesky_.solve(-gradient_ - pull)) + way;
+}
+
 double NewtonSystem::slope(const Points& step) const {
   double sum = 0;
   const std::vector<int>& vertices = objective_.unknowns().vertex_of_node;

@@ -51,6 +51,10 @@ class NewtonSystem {
   std::optional<double> factorize_damped(bool plain_failed, std::stop_token token);
   /// −(factor)⁻¹ ∇E as displacements of the vertices, 2 × #V.
   Points newton_step();
+  /// The same where the held handles move by `way`, 2 × #V and zero elsewhere, and the others
+  /// follow it: −(factor)⁻¹ (∇E + ∇²E way) with the handles' part of ∇²E at `u`, clamped, and `way`
+  /// itself at the handles.
+  Points carrying_step(const Points& u, const Points& way);
   /// ∇E · step, for a step as newton_step() gives it.
   double slope(const Points& step) const;
   /// Says that the vertices moved: what was assembled and factorized is out of date.

@@ -19,7 +19,7 @@ TEST(PaperSuite, ItsScenesHaveTheSizesAndEnergiesOfTable1) {
       {"figure11_dense_grid", {121, 200, "lscm"}},
       {"figure11_coarse_grid", {36, 50, "arap"}}};
   std::size_t found = 0;
-  for (const auto& [name, difficulty, scene] : paper_suite({}).scenes) {
+  for (const auto& [name, difficulty, scene, targets] : paper_suite({}).scenes) {
     const auto row = table.find(name);
     if (row == table.end()) continue;
     ++found;

@@ -82,7 +82,7 @@ TEST(RandomSuite, CoordinatesDoNotHangOnLastDigits) {
 TEST(RandomSuite, ScenesAreValid) {
   std::set<std::string> names;
   for (int i = 0; i < 2 * kScenes; ++i) {
-    const auto [name, difficulty, scene] = random_scene(kSeed, i);
+    const auto [name, difficulty, scene, drag] = random_scene(kSeed, i);
     EXPECT_TRUE(names.insert(name).second) << name;
     EXPECT_TRUE(is_injective(scene.triangles, scene.rest)) << name;
     EXPECT_LE(scene.triangles.cols(), 5000) << name;

@@ -52,6 +52,21 @@ TEST(Bench, AKeptSceneIsSolvedTheSameWay) {
               1e-9 * std::abs(row["E_d"].get<double>()));
 }
 
+TEST(Bench, FollowsDragsFrameByFrame) {
+  const TemporaryFolder folder;
+  const Ended ended = test::run({"bench", "--suite", "drag", "--only", "0", "--method",
+                                 "foldless,paper-flip", "-o", folder / "out"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_NE(ended.out.find("first ms"), std::string::npos) << ended.out;
+  EXPECT_EQ(names_in(folder / "out"),
+            (std::vector<std::string>{"frames.csv", "results.csv", "results.json", "summary.md"}));
+  const json rows = json::parse(read_text(folder / "out/results.json"));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0]["method"], "foldless");
+  EXPECT_EQ(rows[0]["frames"], 140);
+  EXPECT_EQ(rows[0]["invalid_frames"], 0);
+}
+
 TEST(Bench, TakesSceneFiles) {
   const TemporaryFolder folder;
   test::write_scene(folder / "one.json", test::grid_problem(4, Vec2(0.6, 0.6)));

@@ -2,6 +2,7 @@
 // The whole program but its window, driven by mouse and keys: state and pixels at each stage.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "core/mesh/generate.h"
@@ -129,6 +130,30 @@ TEST_F(WholeEditor, PlacesDragsConvergesUndoesRedoesSavesAndReloads) {
   EXPECT_EQ(editor().document().handles.size(), 2U);
   EXPECT_EQ(editor().shown()->deformed, bent);
   EXPECT_EQ(differing_pixels(headless_.canvas_picture(), bent_picture), 0);
+}
+
+TEST_F(WholeEditor, UnderFoldlessAHandleStaysUnderThePointerWhileItIsDragged) {
+  place_two_handles();
+  editor().set_method("foldless");
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  Vec2 pointer = headless_.window_point(headless_.position(right_));
+  headless_.press(pointer);
+  for (int k = 0; k < 30; ++k) {
+    pointer += k < 20 ? Vec2(-3, -6) : Vec2(5, 4);
+    headless_.move(pointer);
+    EXPECT_TRUE(headless_.wait_until(
+        [&] { return (headless_.window_point(headless_.position(right_)) - pointer).norm() < 0.1; },
+        10))
+        << "move " << k;
+    ASSERT_TRUE(is_valid()) << "move " << k;
+  }
+  EXPECT_TRUE(editor().is_editing()) << "the button is still down";
+  EXPECT_TRUE(std::ranges::any_of(editor().iterations(), [](const Iteration& iteration) {
+    return iteration.phase == Phase::pursue;
+  }));
+  headless_.release(pointer);
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  EXPECT_EQ(editor().status().kind, StatusKind::converged) << editor().status().words;
 }
 
 TEST_F(WholeEditor, ShowsTheGhostWhileDraggingAndEscapeTakesTheDragBack) {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/pursue.h"
+
+#include "core/solve/carry_handles.h"
+
+namespace foldless {
+namespace {
+
+/// A step that brings the handles less than this part of their way is short.
+constexpr double kShortStep = 0.25;
+constexpr int kMostShortSteps = 2;
+
+}  // namespace
+
+Pursue::Pursue(const Workspace& workspace) : held_(workspace.positions) { held_.held = true; }
+
+Progress Pursue::step(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
+  update = carry_handles(workspace.system, workspace.mesh, held_, token);
+  if (update.cancelled) return Progress::cancelled;
+  if (update.step_length == 1) return Progress::arrived;
+  workspace.flip_edges();  // an edge was in the way
+  short_steps_ = update.step_length < kShortStep ? short_steps_ + 1 : 0;
+  return short_steps_ >= kMostShortSteps ? Progress::locked : Progress::running;
+}
+
+}  // namespace foldless
