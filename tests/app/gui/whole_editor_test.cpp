@@ -138,8 +138,8 @@ TEST_F(WholeEditor, UnderFoldlessAHandleStaysUnderThePointerWhileItIsDragged) {
   ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
   Vec2 pointer = headless_.window_point(headless_.position(right_));
   headless_.press(pointer);
-  for (int k = 0; k < 30; ++k) {
-    pointer += k < 20 ? Vec2(-3, -6) : Vec2(5, 4);
+  for (int k = 0; k < 12; ++k) {
+    pointer += k < 8 ? Vec2(-6, -12) : Vec2(9, 8);
     headless_.move(pointer);
     EXPECT_TRUE(headless_.wait_until(
         [&] { return (headless_.window_point(headless_.position(right_)) - pointer).norm() < 0.1; },
