@@ -6,6 +6,7 @@
 
 #include "core/energy/barrier.h"
 #include "core/energy/clamp.h"
+#include "core/energy/conformal_square.h"
 #include "core/energy/determinant.h"
 
 namespace foldless {
@@ -43,6 +44,12 @@ DensityDerivatives weighted_derivatives(const EnergySettings& settings, const Re
     const Eigen::Vector4d g = determinant_gradient(J);
     d.gradient += beta * chi.first * g;
     d.hessian += beta * (chi.second * g * g.transpose() + chi.first * determinant_hessian());
+  }
+  if (settings.conformal_weight > 0) {
+    const DensityDerivatives square = conformal_square_derivatives(J);
+    energy.barrier += settings.conformal_weight * square.value;
+    d.gradient += settings.conformal_weight * square.gradient;
+    d.hessian += settings.conformal_weight * square.hessian;
   }
   return d;
 }
@@ -83,8 +90,10 @@ ElementEnergy element_energy(const EnergySettings& settings, const RestElement& 
   constexpr double kOutside = std::numeric_limits<double>::infinity();
   // The bound A′ > δA holds for β = 0 too, where 0 · ∞ would hide it.
   if (chi == kOutside) return {0, kOutside};
-  return {distortion_weight(settings, rest) * settings.density->value(J),
-          barrier_weight(settings, rest) * chi};
+  double barrier = barrier_weight(settings, rest) * chi;
+  if (settings.conformal_weight > 0)
+    barrier += settings.conformal_weight * conformal_square_value(J);
+  return {distortion_weight(settings, rest) * settings.density->value(J), barrier};
 }
 
 ElementGradient element_gradient(const EnergySettings& settings, const RestElement& rest,

@@ -29,6 +29,7 @@ struct EnergySettings {
   bool area_weighted = true;  ///< false: Σ ψ instead of Σ A ψ
   bool barrier_area_weighted = false;  ///< true: Σ β A χ instead of Σ β χ
   Reference reference = Reference::rest;
+  double conformal_weight = 0;  ///< of conformal_square_value() of every triangle, large or small
 };
 
 /// What the energy needs of a rest triangle.
@@ -43,7 +44,7 @@ using Corners = Eigen::Matrix<double, 2, 3>;
 /// Distortion and barrier of one triangle, weights included.
 struct ElementEnergy {
   double distortion = 0;  ///< A ψ(J)
-  double barrier = 0;     ///< β χ, infinite when A′ ≤ δA
+  double barrier = 0;     ///< β χ, infinite when A′ ≤ δA, and the conformal term
   double total() const { return distortion + barrier; }
 };
 

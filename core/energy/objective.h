@@ -29,6 +29,7 @@ class Objective {
   const Unknowns& unknowns() const { return unknowns_; }
   const EnergySettings& settings() const { return settings_; }
   void set_alpha(double alpha) { settings_.alpha = alpha; }
+  void set_conformal_weight(double weight) { settings_.conformal_weight = weight; }
 
   /// Infinite terms when u is outside the feasible set.
   EnergyTerms value(const Points& u, const Positions& positions) const;

@@ -6,9 +6,10 @@
 namespace foldless {
 namespace {
 
-/// Rounding may leave a clamped matrix just short of positive definite.
-constexpr double kFirstShift = 1e-9;
-constexpr double kLargestShift = 1e3;
+/// Rounding may leave a clamped matrix just short of positive definite, and far from it where
+/// triangles are nearly crushed.
+constexpr double kLeastShift = 1e-9;
+constexpr double kLargestShift = 1e13;
 constexpr double kShiftFactor = 100;
 
 constexpr int kMostFullStepsWanted = 8;
@@ -26,8 +27,10 @@ void after_failure(CurvatureChoice& choice) {
 
 }  // namespace
 
-std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token) {
-  for (double mu = kFirstShift; mu < kLargestShift; mu *= kShiftFactor) {
+std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token,
+                                        double last_shift) {
+  for (double mu = std::max(kLeastShift, last_shift / kShiftFactor); mu < kLargestShift;
+       mu *= kShiftFactor) {
     if (token.stop_requested()) return std::nullopt;
     if (system.factorize(mu)) return mu;
   }
@@ -46,8 +49,9 @@ VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& posi
     after_failure(choice);
   }
   system.assemble(mesh.deformed(), positions, Curvature::clamped);
-  const std::optional<double> mu = factorize_clamped(system, token);
+  const std::optional<double> mu = factorize_clamped(system, token, choice.last_shift);
   if (!mu) return {.cancelled = token.stop_requested()};
+  choice.last_shift = *mu;
   const VertexUpdate update = move_vertices(system, mesh, positions, *mu);
   after_clamped(choice, update.step_length);
   return update;

@@ -15,11 +15,13 @@ struct CurvatureChoice {
   Curvature next = Curvature::exact;
   int full_steps = 0;         ///< with the clamped ∇²E since the exact one was tried
   int full_steps_wanted = 1;  ///< before it is tried again
+  double last_shift = 0;      ///< that the clamped ∇²E needed
 };
 
 /// Factorizes ∇²E as last assembled with clamped elements: the shift that rounding made necessary,
-/// or nothing when cancelled or hopeless. Counts H.
-std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token);
+/// tried from the one before `last_shift` on, or nothing when cancelled or hopeless. Counts H.
+std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token,
+                                        double last_shift = 0);
 
 /// One step of Newton's method without damping: with the exact ∇²E where that is positive definite,
 /// else with the curvature of every element clamped. Moves the deformed positions of `mesh`; they

@@ -32,6 +32,7 @@ class NewtonSystem {
   /// Takes another energy for the same mesh; the pattern stays.
   void set_energy(const EnergySettings& settings, const MeshPair& mesh, const Positions& positions);
   void set_alpha(double alpha) { objective_.set_alpha(alpha); }
+  void set_conformal_weight(double weight) { objective_.set_conformal_weight(weight); }
 
   /// Assembles ∇E and ∇²E at u for the factorizations that follow.
   void assemble(const Points& u, const Positions& positions,

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/settle.h"
 
+#include <cmath>
+
+#include "core/energy/conformal_square.h"
+
 namespace foldless {
 namespace {
 
@@ -12,6 +16,8 @@ constexpr double kSmallStep = 1e-9;
 constexpr int kMostSteps = 300;
 /// Flips at the minimum start the descent again when they gain more than this part of E.
 constexpr double kGainOfFlips = 1e-2;
+/// Triangles that a transport crushed can make the step with them useless.
+constexpr int kMostFailures = 3;
 
 bool is_converged(const VertexUpdate& update, double energy) {
   const bool is_newton = update.mu == 0 && update.step_length == 1;
@@ -19,18 +25,42 @@ bool is_converged(const VertexUpdate& update, double energy) {
          update.step_infinity_norm < kSmallStep;
 }
 
+/// K.
+double conformal_sum(const MeshPair& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles().colwise())
+    sum += conformal_square_value(deformation_gradient(mesh.rest(), mesh.deformed(), t));
+  return sum;
+}
+
 }  // namespace
 
-Settle::Settle(Workspace& workspace) : held_(workspace.positions) {
+Settle::Settle(Workspace& workspace, double exponent)
+    : exponent_(exponent), held_(workspace.positions) {
   held_.held = true;
   workspace.curvature = {};
 }
 
+// E Kᵉ falls with every step that lowers E + w K for w = ε E / K: the logarithm is concave.
 Progress Settle::step(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
+  const double weight = exponent_ * energy_of(workspace) / conformal_sum(workspace.mesh);
+  workspace.system.set_conformal_weight(is_plain_ ? 0 : weight);
+  const Progress progress = descend(workspace, token, update);
+  workspace.system.set_conformal_weight(0);
+  return progress;
+}
+
+Progress Settle::descend(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
   update = workspace.descend(held_, token);
   if (update.cancelled) return Progress::cancelled;
-  const double energy = energy_of(workspace);
   if (++steps_ >= kMostSteps) return Progress::arrived;
+  if (update.step_length == 0 && !is_plain_) {
+    ++failures_;
+    is_plain_ = true;
+    return Progress::running;
+  }
+  is_plain_ = failures_ >= kMostFailures;
+  const double energy = energy_of(workspace);
   if (!is_converged(update, energy)) return Progress::running;
   workspace.flip_edges();
   const bool is_gain = energy - energy_of(workspace) > kGainOfFlips * energy;
@@ -39,6 +69,11 @@ Progress Settle::step(Workspace& workspace, std::stop_token token, VertexUpdate&
 
 double Settle::energy_of(const Workspace& workspace) const {
   return workspace.system.objective().value(workspace.mesh.deformed(), held_).total();
+}
+
+double Settle::merit_of(const Workspace& workspace) const {
+  const double mean = conformal_sum(workspace.mesh) / workspace.mesh.face_count();
+  return energy_of(workspace) * std::pow(mean, exponent_);
 }
 
 }  // namespace foldless

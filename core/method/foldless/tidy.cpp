@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/mesh/quality.h"
+
 namespace foldless {
 namespace {
 
@@ -10,9 +12,11 @@ namespace {
 constexpr int kMostRounds = 3;
 /// By which part of E a vertex may raise it when it goes; moves take most of it back.
 constexpr double kRiseOfAVertex = 1e-2;
-/// By which part of E a round may raise it in the end.
+/// By which part a round may raise E Kᵉ in the end.
 constexpr double kRiseOfARound = 1e-2;
-constexpr double kLargestDistortion = 1e3;
+/// σ₁/σ₂ from which a triangle counts as crushed.
+constexpr double kCrushed = 1e3;
+constexpr double kLargeExponent = 0.2;
 
 }  // namespace
 
@@ -22,24 +26,37 @@ Tidy::Tidy(Workspace& workspace, int first_removable)
 Progress Tidy::step(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
   const Progress progress = settle_.step(workspace, token, update);
   if (progress != Progress::arrived) return progress;
-  if (!begin_round(workspace)) return Progress::arrived;
-  settle_ = Settle(workspace);
-  return Progress::running;
+  if (is_collapsing_ && collapse(workspace)) {
+    settle_ = Settle(workspace);
+    return Progress::running;
+  }
+  return begin_uncrushing(workspace) ? Progress::running : Progress::arrived;
 }
 
-bool Tidy::begin_round(Workspace& workspace) {
-  const double energy = settle_.energy_of(workspace);
-  if (before_ && !(energy <= (1 + kRiseOfARound) * before_->energy)) {
+bool Tidy::collapse(Workspace& workspace) {
+  if (first_removable_ >= workspace.mesh.vertex_count()) return false;
+  const double merit = settle_.merit_of(workspace);
+  if (before_ && !(merit <= (1 + kRiseOfARound) * before_->merit)) {
     workspace.set_mesh(std::move(before_->mesh));
-    before_.reset();
     return false;
   }
-  if (rounds_++ >= kMostRounds || first_removable_ >= workspace.mesh.vertex_count()) return false;
-  before_ = Before{workspace.mesh, energy};
+  if (rounds_++ >= kMostRounds) return false;
+  before_ = Before{workspace.mesh, merit};
   return workspace.collapse_edges({.energy = workspace.system.objective().settings(),
                                    .first_removable = first_removable_,
-                                   .largest_rise = kRiseOfAVertex * energy,
-                                   .largest_distortion = kLargestDistortion}) > 0;
+                                   .largest_rise = kRiseOfAVertex * settle_.energy_of(workspace),
+                                   .largest_distortion = kCrushed}) > 0;
+}
+
+bool Tidy::begin_uncrushing(Workspace& workspace) {
+  const MeshPair& mesh = workspace.mesh;
+  if (!std::exchange(is_collapsing_, false)) return false;
+  before_.reset();
+  if (quality_of(mesh.triangles(), mesh.rest(), mesh.deformed()).max_conformal_distortion <
+      kCrushed)
+    return false;
+  settle_ = Settle(workspace, kLargeExponent);
+  return true;
 }
 
 }  // namespace foldless

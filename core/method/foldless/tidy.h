@@ -8,8 +8,8 @@
 namespace foldless {
 
 /// The last stage: settles, and where splits left vertices that nobody needs, collapses them and
-/// settles again, as long as the energy stays about what it was. Arrives when nothing is left to
-/// do; what raised the energy too much has been undone then.
+/// settles again, as long as E Kᵉ stays about what it was. What raised it too much is undone.
+/// Where a triangle is still crushed then, it settles once more with a larger exponent.
 class Tidy {
  public:
   /// Vertices of index `first_removable` or more are no handles and may go.
@@ -22,14 +22,16 @@ class Tidy {
   /// What a round began with.
   struct Before {
     MeshPair mesh;
-    double energy;
+    double merit;  ///< E Kᵉ
   };
 
-  bool begin_round(Workspace& workspace);
+  bool collapse(Workspace& workspace);
+  bool begin_uncrushing(Workspace& workspace);
 
   int first_removable_;
   Settle settle_;
   int rounds_ = 0;
+  bool is_collapsing_ = true;
   std::optional<Before> before_;
 };
 

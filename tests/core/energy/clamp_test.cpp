@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/energy/barrier.h"
+#include "core/energy/conformal_square.h"
 #include "core/energy/densities.h"
 #include "core/energy/determinant.h"
 
@@ -38,9 +39,9 @@ TEST(ClampedHessian, IsTheNearestPositiveSemidefiniteMatrixForEveryDensityWithBa
       const Mat2 J = random_gradient(random);
       const BarrierDerivatives chi = barrier_derivatives(determinant(J), 1e-5);
       const Eigen::Vector4d g = determinant_gradient(J);
-      const Eigen::Matrix4d hessian = density.derivatives(J).hessian +
-                                      chi.second * g * g.transpose() +
-                                      chi.first * determinant_hessian();
+      const Eigen::Matrix4d hessian =
+          density.derivatives(J).hessian + chi.second * g * g.transpose() +
+          chi.first * determinant_hessian() + trial % 2 * conformal_square_derivatives(J).hessian;
       const Eigen::Matrix4d expected = clamped_by_eigenvalues(hessian);
       EXPECT_LE((clamped_hessian(hessian, J) - expected).norm(), 1e-9 * hessian.norm());
       clamped += (expected - hessian).norm() > 1e-6 * hessian.norm();

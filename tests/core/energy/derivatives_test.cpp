@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/energy/barrier.h"
+#include "core/energy/conformal_square.h"
 #include "core/energy/densities.h"
 #include "core/energy/determinant.h"
 #include "tests/support/finite_difference.h"
@@ -91,6 +92,11 @@ INSTANTIATE_TEST_SUITE_P(Densities, DensityTest,
                            return name;
                          });
 
+INSTANTIATE_TEST_SUITE_P(ConformalSquare, DensityTest,
+                         testing::Values(Density{"conformal-square", "", "", 0, false,
+                                                 conformal_square_value,
+                                                 conformal_square_derivatives}));
+
 TEST(Densities, ClosedFormsMatchTheSingularValues) {
   Mat2 J;
   J << 1.3, 0.4, -0.2, 0.7;
@@ -102,6 +108,7 @@ TEST(Densities, ClosedFormsMatchTheSingularValues) {
               std::pow(s[0] * s[0] - 1, 2) + std::pow(s[1] * s[1] - 1, 2), 1e-13);
   EXPECT_NEAR(find_density("symmetric-dirichlet")->value(J),
               0.5 * (s[0] * s[0] + s[1] * s[1] + std::pow(s[0], -2) + std::pow(s[1], -2)), 1e-13);
+  EXPECT_NEAR(conformal_square_value(J), std::pow(0.5 * (s[0] / s[1] + s[1] / s[0]), 2), 1e-13);
   EXPECT_EQ(find_density("arpa"), nullptr);
 }
 
