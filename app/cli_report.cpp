@@ -7,6 +7,7 @@
 #include "core/energy/positions.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
+#include "core/method/methods.h"
 #include "core/scene/handle_kind.h"
 #include "core/scene/parameter_keys.h"
 
@@ -17,7 +18,8 @@ JsonNode parameters_node(const Problem& problem) {
   JsonNode::Object object;
   for (const ParameterKey& key : parameter_keys()) {
     // Only β may be absent: it then is the energy's own.
-    const double value = key.get(problem.parameters).value_or(problem.energy->default_beta);
+    const double value = key.get(problem.parameters)
+                             .value_or(default_beta(problem.parameters.method, *problem.energy));
     if (key.kind == ParameterKind::word)
       object.emplace_back(key.name, node_of(key.words[static_cast<std::size_t>(value)]));
     else if (key.kind == ParameterKind::flag)

@@ -4,6 +4,7 @@
 
 #include "app/editor/editor.h"
 #include "core/method/map_words.h"
+#include "core/method/methods.h"
 
 namespace foldless {
 namespace {
@@ -21,6 +22,9 @@ std::string solving_words(const Editor& editor) {
   std::string words = "Solving";
   if (editor.iterations().empty()) return words;
   const Iteration& last = editor.iterations().back();
+  const MethodRow* method = find_method(parameters.method);
+  if (method && !reads(*method, "inner_iterations"))
+    return words.append(": ").append(name_of(last.phase)) + ", step " + std::to_string(last.inner);
   words.append(" ").append(std::to_string(last.inner));
   words.append("/").append(std::to_string(parameters.inner_iterations));
   if (const std::string locked = locked_words(last); !locked.empty()) return words + locked;

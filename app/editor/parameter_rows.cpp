@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/method/methods.h"
+
 namespace foldless {
 namespace {
 
@@ -22,7 +24,7 @@ struct Access {
 };
 
 double beta_of(const Parameters& p, const Density& energy) {
-  return p.beta.value_or(energy.default_beta);
+  return p.beta.value_or(default_beta(p.method, energy));
 }
 
 template <auto Member>
@@ -60,7 +62,7 @@ constexpr std::array kRows{
            1, 1e12, kLogarithmic),
     ParameterRow{"beta", "Barrier weight \u03b2",
                  "How strongly triangles resist being squashed. Larger keeps them away from "
-                 "collapse; the default depends on the energy.",
+                 "collapse; the default depends on the method and the energy.",
                  1e-8, 1e4, kLogarithmic, beta_of, [](Parameters& p, double v) { p.beta = v; },
                  [](Parameters& p) { p.beta.reset(); }},
     ranged(row<&Parameters::delta>("delta", "Smallest area ratio \u03b4",
@@ -111,12 +113,13 @@ const ParameterRow* find_parameter_row(std::string_view name) {
   return it == kRows.end() ? nullptr : &*it;
 }
 
-double default_of(const ParameterRow& row, const Density& energy) {
-  return row.get(Parameters{}, energy);
+double default_of(const ParameterRow& row, Parameters parameters, const Density& energy) {
+  row.reset(parameters);
+  return row.get(parameters, energy);
 }
 
 bool is_changed(const ParameterRow& row, const Parameters& parameters, const Density& energy) {
-  return row.get(parameters, energy) != default_of(row, energy);
+  return row.get(parameters, energy) != default_of(row, parameters, energy);
 }
 
 }  // namespace foldless

@@ -37,8 +37,8 @@ std::span<const ParameterRow> parameter_rows();
 /// The row of that name, or null.
 const ParameterRow* find_parameter_row(std::string_view name);
 
-/// The value that reset gives.
-double default_of(const ParameterRow& row, const Density& energy);
+/// The value that reset gives; β depends on the method.
+double default_of(const ParameterRow& row, Parameters parameters, const Density& energy);
 /// True when the value differs from the default: the panel draws a dot.
 bool is_changed(const ParameterRow& row, const Parameters& parameters, const Density& energy);
 

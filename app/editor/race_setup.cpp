@@ -50,7 +50,7 @@ RaceSetup method_race(const Document& document) {
 RaceSetup parameter_race(const ParameterRow& row, const Document& document) {
   RaceSetup setup;
   setup.varied = &row;
-  const double value = default_of(row, *document.energy);
+  const double value = default_of(row, document.parameters, *document.energy);
   if (row.scale == ParameterScale::on_off) {
     setup.values = {1, 0};
   } else {

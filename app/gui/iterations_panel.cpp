@@ -23,7 +23,7 @@ void draw_row(std::size_t index, Editor& editor, const PanelContext& context) {
   ImGui::SameLine(0, 0);
   ImGui::Text("%zu", index + 1);
   ImGui::TableNextColumn();
-  ImGui::TextColored(look.palette->dim, "%s", record.phase == Phase::update ? "update" : "relax");
+  ImGui::TextColored(look.palette->dim, "%s", name_of(record.phase).data());
   ImGui::TableNextColumn();
   ImGui::Text("%.3g", record.energy);
   ImGui::TableNextColumn();
@@ -36,7 +36,7 @@ void draw_row(std::size_t index, Editor& editor, const PanelContext& context) {
 void draw_header(const Look& look) {
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, look.px(30));
-  ImGui::TableSetupColumn("Phase", ImGuiTableColumnFlags_WidthFixed, look.px(42));
+  ImGui::TableSetupColumn("Phase", ImGuiTableColumnFlags_WidthFixed, look.px(60));
   ImGui::TableSetupColumn("E", ImGuiTableColumnFlags_WidthStretch, 1.2F);
   ImGui::TableSetupColumn("‖P‖²", ImGuiTableColumnFlags_WidthStretch, 1.2F);
   ImGui::TableSetupColumn("Edges", ImGuiTableColumnFlags_WidthFixed, look.px(38));

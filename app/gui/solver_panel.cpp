@@ -103,23 +103,26 @@ void draw_value(const ParameterRow& row, Editor& editor, float width, const Look
   if (draw_slider(row, value, look)) editor.set_parameter(row, value);
 }
 
-std::string tooltip_words(const ParameterRow& row, const Density& energy) {
+std::string tooltip_words(const ParameterRow& row, const Parameters& parameters,
+                          const Density& energy) {
   std::string words = std::string(row.tooltip) + "\nDefault ";
   if (row.scale == ParameterScale::on_off) {
-    words += default_of(row, energy) != 0 ? "on." : "off.";
+    words += default_of(row, parameters, energy) != 0 ? "on." : "off.";
     return words;
   }
   if (row.scale == ParameterScale::choice)
-    return words + std::string(row.choices[static_cast<std::size_t>(default_of(row, energy))]) +
+    return words +
+           std::string(row.choices[static_cast<std::size_t>(default_of(row, parameters, energy))]) +
            ".";
-  return words + number_words(default_of(row, energy)) + ", from " + number_words(row.minimum) +
-         " to " + number_words(row.maximum) + ". Ctrl-click to type a number.";
+  return words + number_words(default_of(row, parameters, energy)) + ", from " +
+         number_words(row.minimum) + " to " + number_words(row.maximum) +
+         ". Ctrl-click to type a number.";
 }
 
 void draw_parameter(const ParameterRow& row, Editor& editor, const Look& look) {
   const Document& document = editor.document();
   const bool changed = is_changed(row, document.parameters, *document.energy);
-  const std::string words = tooltip_words(row, *document.energy);
+  const std::string words = tooltip_words(row, document.parameters, *document.energy);
   ImGui::PushID(row.name.data());
   ImGui::TableNextColumn();
   draw_label(row, changed, look);
@@ -183,7 +186,9 @@ void draw_solver_panel(Editor& editor, const PanelContext& context) {
   if (ImGui::BeginTable("parameters", 2)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, look.px(134));
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    for (const ParameterRow& row : parameter_rows()) draw_parameter(row, editor, look);
+    const MethodRow* method = find_method(editor.document().parameters.method);
+    for (const ParameterRow& row : parameter_rows())
+      if (!method || reads(*method, row.name)) draw_parameter(row, editor, look);
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();

@@ -10,8 +10,6 @@
 namespace foldless {
 namespace {
 
-/// β per unit rest area: independent of the number of triangles, unlike the paper's.
-constexpr double kBeta = 2;
 constexpr double kShortestEdge = 1e-5;
 constexpr double kOffTarget = 1e-6;
 constexpr int kMostSplitRounds = 3;
@@ -21,7 +19,7 @@ EnergySettings own_energy(const Problem& problem) {
   EnergySettings settings;
   settings.density = problem.energy;
   settings.alpha = problem.parameters.alpha;
-  settings.beta = problem.parameters.beta.value_or(kBeta);
+  settings.beta = problem.parameters.beta.value_or(Foldless::kBeta);
   settings.delta = problem.parameters.delta;
   settings.barrier_area_weighted = true;
   return settings;

@@ -21,6 +21,9 @@ namespace foldless {
 /// when that locks.
 class Foldless final : public Method {
  public:
+  /// β per unit rest area: independent of the number of triangles, unlike the paper's.
+  static constexpr double kBeta = 2;
+
   explicit Foldless(Problem problem);
 
   std::unique_ptr<Method> clone() const override;

@@ -24,19 +24,45 @@ std::unique_ptr<Method> start(Problem problem) {
   return std::make_unique<Kind>(std::move(problem));
 }
 
+using Names = std::string_view[];
+constexpr Names kOfFoldless = {"beta", "delta", "eta", "condition_test"};
+constexpr Names kOfAlgorithm1 = {"alpha",
+                                 "beta",
+                                 "delta",
+                                 "eta",
+                                 "inner_iterations",
+                                 "outer_iterations",
+                                 "gradient_tolerance",
+                                 "step_tolerance",
+                                 "condition_test",
+                                 "area_weighted"};
+constexpr Names kWithoutFlips = {"alpha",
+                                 "beta",
+                                 "delta",
+                                 "inner_iterations",
+                                 "outer_iterations",
+                                 "gradient_tolerance",
+                                 "step_tolerance",
+                                 "area_weighted"};
+constexpr Names kOfLim = {
+    "alpha",          "beta",         "delta", "inner_iterations", "gradient_tolerance",
+    "step_tolerance", "area_weighted"};
+constexpr Names kOfBoundedConformal = {"alpha", "inner_iterations", "start", "distortion_bound"};
+constexpr Names kOfProjection = {"alpha", "inner_iterations", "distortion_bound"};
+
 constexpr std::array kMethods{
-    MethodRow{"foldless", "Foldless", "this", start<Foldless>},
+    MethodRow{"foldless", "Foldless", "this", start<Foldless>, false, kOfFoldless, Foldless::kBeta},
     MethodRow{"paper", "Remeshing-assisted, flips and splits", "JHT14",
-              start_remeshing_assisted<true, true>},
+              start_remeshing_assisted<true, true>, false, kOfAlgorithm1},
     MethodRow{"paper-flip", "Remeshing-assisted, flips", "JHT14",
-              start_remeshing_assisted<true, false>},
+              start_remeshing_assisted<true, false>, false, kOfAlgorithm1},
     MethodRow{"paper-noflip", "Remeshing-assisted, no flips", "JHT14",
-              start_remeshing_assisted<false, false>},
-    MethodRow{"lim", "Locally injective mappings", "SKPSH13", start<Lim>, true},
+              start_remeshing_assisted<false, false>, false, kWithoutFlips},
+    MethodRow{"lim", "Locally injective mappings", "SKPSH13", start<Lim>, true, kOfLim},
     MethodRow{"bounded-conformal", "Bounded conformal distortion", "Lip12", start<BoundedConformal>,
-              true},
+              true, kOfBoundedConformal},
     MethodRow{"injective-projection", "Injective projection", "AL13", start<InjectiveProjection>,
-              true},
+              true, kOfProjection},
 };
 
 }  // namespace
@@ -46,6 +72,15 @@ std::span<const MethodRow> methods() { return kMethods; }
 const MethodRow* find_method(std::string_view name) {
   const auto row = std::ranges::find(kMethods, name, &MethodRow::name);
   return row == kMethods.end() ? nullptr : &*row;
+}
+
+bool reads(const MethodRow& method, std::string_view parameter) {
+  return std::ranges::find(method.parameters, parameter) != method.parameters.end();
+}
+
+double default_beta(std::string_view method, const Density& energy) {
+  const MethodRow* row = find_method(method);
+  return row ? row->beta.value_or(energy.default_beta) : energy.default_beta;
 }
 
 }  // namespace foldless

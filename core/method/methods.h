@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -18,6 +19,9 @@ struct MethodRow {
   /// Meshes of the method may be folded or wind twice round a vertex, by its nature: they are
   /// published, marked as what they are.
   bool may_fold = false;
+  std::span<const std::string_view> parameters = {};  ///< names of Parameters that it reads
+  std::optional<double> beta =
+      std::nullopt;  ///< its default β per unit rest area; else the energy's
 };
 
 /// Every method of the program; the authority for names.
@@ -25,5 +29,10 @@ std::span<const MethodRow> methods();
 
 /// The row of that name, or null. The row lives as long as the program.
 const MethodRow* find_method(std::string_view name);
+
+/// True when the parameter of that name changes what the method does.
+bool reads(const MethodRow& method, std::string_view parameter);
+/// β of a method that the scene gives none. An unknown method has the energy's.
+double default_beta(std::string_view method, const Density& energy);
 
 }  // namespace foldless

@@ -13,7 +13,7 @@ namespace {
 TEST(ParameterRows, DefaultsAreInRangeAndUnchanged) {
   for (const Density& energy : densities())
     for (const ParameterRow& row : parameter_rows()) {
-      const double value = default_of(row, energy);
+      const double value = default_of(row, Parameters{}, energy);
       EXPECT_GE(value, row.minimum) << row.name << " of " << energy.name;
       EXPECT_LE(value, row.maximum) << row.name << " of " << energy.name;
       EXPECT_FALSE(is_changed(row, Parameters{}, energy)) << row.name;
@@ -24,7 +24,8 @@ TEST(ParameterRows, SettingChangesAndResettingRestores) {
   const Density& energy = densities().front();
   for (const ParameterRow& row : parameter_rows()) {
     Parameters parameters;
-    const double other = default_of(row, energy) == row.maximum ? row.minimum : row.maximum;
+    const double other =
+        default_of(row, Parameters{}, energy) == row.maximum ? row.minimum : row.maximum;
     row.set(parameters, other);
     EXPECT_EQ(row.get(parameters, energy), other) << row.name;
     EXPECT_TRUE(is_changed(row, parameters, energy)) << row.name;

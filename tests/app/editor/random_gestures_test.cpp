@@ -64,7 +64,9 @@ class RandomGestures : public EditorTest {
   void change_something(RandomHands& hands) {
     const auto rows = parameter_rows();
     const auto& row = rows[static_cast<std::size_t>(hands.whole(0, 3))];
-    editor_->set_parameter(row, default_of(row, *editor_->document().energy) * hands.real(0.5, 2));
+    editor_->set_parameter(
+        row, default_of(row, editor_->document().parameters, *editor_->document().energy) *
+                 hands.real(0.5, 2));
     const auto energies = densities();
     editor_->set_energy(
         energies[static_cast<std::size_t>(hands.whole(0, static_cast<int>(energies.size()) - 1))]);
