@@ -22,12 +22,12 @@ std::string solving_words(const Editor& editor) {
   std::string words = "Solving";
   if (editor.iterations().empty()) return words;
   const Iteration& last = editor.iterations().back();
+  if (const std::string locked = locked_words(last); !locked.empty()) return words + locked;
   const MethodRow* method = find_method(parameters.method);
   if (method && !reads(*method, "inner_iterations"))
-    return words.append(": ").append(name_of(last.phase)) + ", step " + std::to_string(last.inner);
+    return words.append(", step ").append(std::to_string(last.inner));
   words.append(" ").append(std::to_string(last.inner));
   words.append("/").append(std::to_string(parameters.inner_iterations));
-  if (const std::string locked = locked_words(last); !locked.empty()) return words + locked;
   if (last.outer > 0) {
     words.append(", round ").append(std::to_string(last.outer + 1));
     words.append("/").append(std::to_string(parameters.outer_iterations));
