@@ -20,32 +20,33 @@ std::string digits(double value) {
 std::string milliseconds(double seconds) { return number_text(1e3 * seconds); }
 
 /// A number of one run of drag.csv and drag.json.
-struct Column {
+struct DragColumn {
   const char* name;
   double (*value)(const BenchRow& row, const DragSummary& summary);
 };
 
-constexpr std::array kColumns{
-    Column{"vertices",
-           [](const BenchRow& row, const DragSummary&) { return double(row.vertices); }},
-    Column{"faces", [](const BenchRow& row, const DragSummary&) { return double(row.faces); }},
-    Column{"frames",
-           [](const BenchRow& row, const DragSummary&) { return double(row.frames.size()); }},
-    Column{"first_median_seconds",
-           [](const BenchRow&, const DragSummary& s) { return s.median_first_seconds; }},
-    Column{"first_p95_seconds",
-           [](const BenchRow&, const DragSummary& s) { return s.p95_first_seconds; }},
-    Column{"frame_median_seconds",
-           [](const BenchRow&, const DragSummary& s) { return s.median_seconds; }},
-    Column{"frame_p95_seconds",
-           [](const BenchRow&, const DragSummary& s) { return s.p95_seconds; }},
-    Column{"distance_p95", [](const BenchRow&, const DragSummary& s) { return s.p95_distance; }},
-    Column{"factorizations_a_frame",
-           [](const BenchRow&, const DragSummary& s) { return s.factorizations; }},
-    Column{"iterations_a_frame",
-           [](const BenchRow&, const DragSummary& s) { return s.iterations; }},
-    Column{"invalid_frames",
-           [](const BenchRow&, const DragSummary& s) { return double(s.invalid); }},
+constexpr std::array kDragColumns{
+    DragColumn{"vertices",
+               [](const BenchRow& row, const DragSummary&) { return double(row.vertices); }},
+    DragColumn{"faces", [](const BenchRow& row, const DragSummary&) { return double(row.faces); }},
+    DragColumn{"frames",
+               [](const BenchRow& row, const DragSummary&) { return double(row.frames.size()); }},
+    DragColumn{"first_median_seconds",
+               [](const BenchRow&, const DragSummary& s) { return s.median_first_seconds; }},
+    DragColumn{"first_p95_seconds",
+               [](const BenchRow&, const DragSummary& s) { return s.p95_first_seconds; }},
+    DragColumn{"frame_median_seconds",
+               [](const BenchRow&, const DragSummary& s) { return s.median_seconds; }},
+    DragColumn{"frame_p95_seconds",
+               [](const BenchRow&, const DragSummary& s) { return s.p95_seconds; }},
+    DragColumn{"distance_p95",
+               [](const BenchRow&, const DragSummary& s) { return s.p95_distance; }},
+    DragColumn{"factorizations_a_frame",
+               [](const BenchRow&, const DragSummary& s) { return s.factorizations; }},
+    DragColumn{"iterations_a_frame",
+               [](const BenchRow&, const DragSummary& s) { return s.iterations; }},
+    DragColumn{"invalid_frames",
+               [](const BenchRow&, const DragSummary& s) { return double(s.invalid); }},
 };
 
 }  // namespace
@@ -97,13 +98,14 @@ TextTable drag_table(std::span<const BenchRow> rows) {
 
 TextTable drag_csv_table(std::span<const BenchRow> rows) {
   std::vector<std::string> titles{"drag", "energy", "method", "outcome", "valid"};
-  for (const Column& column : kColumns) titles.emplace_back(column.name);
+  for (const DragColumn& column : kDragColumns) titles.emplace_back(column.name);
   TextTable table(std::move(titles));
   for (const BenchRow& row : rows) {
     std::vector<std::string> cells{row.scene, row.energy, row.method, row.outcome,
                                    row.is_valid ? "yes" : "no"};
     const DragSummary summary = drag_summary(row);
-    for (const Column& column : kColumns) cells.push_back(digits(column.value(row, summary)));
+    for (const DragColumn& column : kDragColumns)
+      cells.push_back(digits(column.value(row, summary)));
     table.add(std::move(cells));
   }
   return table;
@@ -118,7 +120,7 @@ JsonNode drag_node(std::span<const BenchRow> rows) {
                             {"outcome", JsonNode{row.outcome}},
                             {"valid", JsonNode{row.is_valid}}};
     const DragSummary summary = drag_summary(row);
-    for (const Column& column : kColumns)
+    for (const DragColumn& column : kDragColumns)
       object.emplace_back(column.name, JsonNode{column.value(row, summary)});
     array.push_back({std::move(object)});
   }

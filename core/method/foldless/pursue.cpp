@@ -7,7 +7,7 @@ namespace foldless {
 namespace {
 
 /// A step that brings the handles less than this part of their way is short.
-constexpr double kShortStep = 0.25;
+constexpr double kShortCarry = 0.25;
 constexpr int kMostShortSteps = 2;
 
 }  // namespace
@@ -19,7 +19,7 @@ Progress Pursue::step(Workspace& workspace, std::stop_token token, VertexUpdate&
   if (update.cancelled) return Progress::cancelled;
   if (update.step_length == 1) return Progress::arrived;
   workspace.flip_edges();  // an edge was in the way
-  short_steps_ = update.step_length < kShortStep ? short_steps_ + 1 : 0;
+  short_steps_ = update.step_length < kShortCarry ? short_steps_ + 1 : 0;
   return short_steps_ >= kMostShortSteps ? Progress::locked : Progress::running;
 }
 

@@ -8,15 +8,13 @@
 
 #include "core/energy/densities.h"
 #include "core/mesh/generate.h"
-#include "core/mesh/injective.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/valid_pair.h"
 
 namespace foldless {
 namespace {
 
-bool is_valid(const MeshPair& mesh) {
-  return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
-}
+using test::is_valid;
 
 Problem grid_problem(const std::vector<std::pair<int, Vec2>>& handles) {
   const Shape shape = grid({.columns = 8, .rows = 8, .width = 0.7, .height = 0.7});

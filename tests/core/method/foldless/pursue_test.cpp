@@ -6,18 +6,16 @@
 #include <random>
 #include <set>
 
-#include "core/mesh/injective.h"
 #include "core/method/foldless.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/valid_pair.h"
 
 namespace foldless {
 namespace {
 
 constexpr int kMostSteps = 400;
 
-bool is_valid(const MeshPair& mesh) {
-  return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
-}
+using test::is_valid;
 
 /// A random scene at rest under `foldless`, whose handles a hand drags about.
 struct Hand {

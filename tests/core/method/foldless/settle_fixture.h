@@ -3,15 +3,11 @@
 
 #include <random>
 
-#include "core/mesh/injective.h"
 #include "core/method/foldless/workspace.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/valid_pair.h"
 
 namespace foldless::test {
-
-inline bool is_valid(const MeshPair& mesh) {
-  return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
-}
 
 /// Handles on their targets in a random map, `splits` of its edges split.
 inline Workspace arrived_workspace(std::uint64_t seed, int splits = 0) {
