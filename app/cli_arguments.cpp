@@ -220,6 +220,8 @@ CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, bool& is_tra
   render->add_option("--samples", call.figure.samples, "samples a pixel, 4 when absent")
       ->type_name("N");
   render->add_flag("--transparent", is_transparent, "transparent background");
+  render->add_flag("--miniature", call.figure.miniature,
+                   "the deformed mesh once more, small, with its checkerboard alone");
   return render;
 }
 

@@ -26,13 +26,36 @@ void include(Box& box, const Points& points) {
   for (const auto& p : points.colwise()) include(box, p.x(), p.y());
 }
 
+constexpr Layers kMiniatureLayers{.wireframe = false, .handles = false};
+/// Of the longer side of a pane.
+constexpr double kMiniature = 0.3;
+
 /// A pane of the figure: which mesh, and where.
 struct Pane {
   Pose pose;
   Viewport viewport;
+  bool is_miniature = false;
 };
 
-std::vector<Pane> panes_of(const FigureOptions& options, int width) {
+/// Takes the miniature's part off a pane that shows the deformed mesh.
+Pane cut_off_miniature(Pane& pane) {
+  const Viewport whole = pane.viewport;
+  const bool is_tall = whole.height > whole.width;
+  const int part = static_cast<int>(kMiniature * std::max(whole.width, whole.height));
+  Viewport small = whole;
+  if (is_tall) {
+    small.height = part;
+    pane.viewport.y += part;
+    pane.viewport.height -= part;
+  } else {
+    small.width = part;
+    small.x += whole.width - part;
+    pane.viewport.width -= part;
+  }
+  return {pane.pose, small, true};
+}
+
+std::vector<Pane> large_panes_of(const FigureOptions& options, int width) {
   const int half = width / 2;
   switch (options.view) {
     case FigureView::rest: return {{Pose::rest, {0, 0, width, options.height}}};
@@ -43,7 +66,16 @@ std::vector<Pane> panes_of(const FigureOptions& options, int width) {
   }
 }
 
-/// A camera a pane, all at one scale, so that sizes can be compared.
+std::vector<Pane> panes_of(const FigureOptions& options, int width) {
+  std::vector<Pane> panes = large_panes_of(options, width);
+  if (options.miniature && panes.back().pose == Pose::deformed) {
+    const Pane small = cut_off_miniature(panes.back());
+    panes.push_back(small);
+  }
+  return panes;
+}
+
+/// A camera a pane, all but that of a miniature at one scale, so that sizes can be compared.
 std::vector<Camera> cameras_of(const Snapshot& snapshot, const FigureOptions& options,
                                const std::vector<Pane>& panes) {
   std::vector<Camera> cameras;
@@ -53,9 +85,10 @@ std::vector<Camera> cameras_of(const Snapshot& snapshot, const FigureOptions& op
     const Box box = options.frame ? *options.frame : frame_of(snapshot, view);
     cameras.push_back(fit_to_box(box, {pane.viewport.width, pane.viewport.height},
                                  kMargin * options.style.ui_scale));
-    scale = std::min(scale, cameras.back().pixels_per_unit);
+    if (!pane.is_miniature) scale = std::min(scale, cameras.back().pixels_per_unit);
   }
-  for (Camera& camera : cameras) camera.pixels_per_unit = scale;
+  for (std::size_t i = 0; i < panes.size(); ++i)
+    if (!panes[i].is_miniature) cameras[i].pixels_per_unit = scale;
   return cameras;
 }
 
@@ -115,6 +148,7 @@ Image FigureRenderer::render(const Snapshot& snapshot, const FigureOptions& opti
   const std::vector<Camera> cameras = cameras_of(snapshot, options, panes);
   for (std::size_t i = 0; i < panes.size(); ++i) {
     style.pose = panes[i].pose;
+    if (panes[i].is_miniature) style.layers = kMiniatureLayers;
     parts_->scene.draw(snapshot, {panes[i].viewport, cameras[i], {}, {}}, style);
   }
   Image image = parts_->target->read();

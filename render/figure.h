@@ -30,6 +30,7 @@ struct FigureOptions {
   ViewOptions style = figure_style();  ///< its pose is set from `view`
   std::optional<Image> texture;        ///< the checkerboard when absent
   std::optional<Box> frame;            ///< world box to show; absent: the mesh and its targets
+  bool miniature = false;  ///< the deformed mesh once more, small, filled, without its edges
 };
 
 /// Draws snapshots off screen, any number of them in one context.
@@ -42,8 +43,9 @@ class FigureRenderer {
   FigureRenderer& operator=(const FigureRenderer&) = delete;
 
   /// `both` shows the rest mesh with its constrained vertices green at the left, and the deformed
-  /// mesh with its targets red at the right. The heat layer comes with a legend. Throws Error on a
-  /// size that cannot be made.
+  /// mesh with its targets red at the right. The heat layer comes with a legend. A miniature stands
+  /// below or beside the deformed mesh, where the pane is the longer. Throws Error on a size that
+  /// cannot be made.
   Image render(const Snapshot& snapshot, const FigureOptions& options);
 
  private:

@@ -51,6 +51,23 @@ TEST(Figure, BothShowsConstrainedVerticesGreenAndTargetsRedInEachPane) {
   }
 }
 
+TEST(Figure, AMiniatureShowsTheCheckerboardBesideTheWireframe) {
+  FigureOptions options = small_figure();
+  options.style.layers.fill = false;
+  options.style.layers.handles = false;
+  const CanvasColours& colours = canvas_colours(Theme::light);
+  const int miniature = 320 - 96;
+  const Image without = render_figure(pulled_sheet(), options);
+  EXPECT_EQ(count_of(without, colours.checker_dark, 0, 320), 0);
+  options.miniature = true;
+  const Image with = render_figure(pulled_sheet(), options);
+  EXPECT_EQ(count_of(with, colours.checker_dark, 0, miniature), 0);
+  EXPECT_GT(count_of(with, colours.checker_dark, miniature, 320), 50);
+  options.view = FigureView::rest;
+  EXPECT_EQ(count_of(render_figure(pulled_sheet(), options), colours.checker_dark, 0, 320), 0)
+      << "the rest mesh alone has none";
+}
+
 TEST(Figure, FitsMeshAndTargetsIntoThePicture) {
   const Snapshot snapshot = pulled_sheet();
   const Box box = frame_of(snapshot, FigureView::deformed);
