@@ -4,6 +4,7 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -19,6 +20,13 @@ void GOMP_parallel(void (*region)(void*), void* data, unsigned, unsigned) { regi
 
 namespace foldless {
 namespace {
+
+/// Supernodal factorizations call the BLAS of the system, which may be built for one caller at a
+/// time: two solves at once then spoil each other's numbers (measured with the OpenBLAS of Debian).
+std::unique_lock<std::mutex> lock_blas(const cholmod_factor& factor) {
+  static std::mutex one_caller;
+  return factor.is_super ? std::unique_lock(one_caller) : std::unique_lock<std::mutex>();
+}
 
 /// A view of our arrays as a CHOLMOD matrix, lower triangle, nothing copied.
 cholmod_sparse view(int size, const std::vector<int>& start, const std::vector<int>& row,
@@ -163,6 +171,7 @@ bool Cholesky::factorize(const SparseSymmetric& matrix, double shift) {
   State& s = *state_;
   cholmod_sparse a = s.permuted(matrix);
   double beta[2] = {shift, 0};
+  const auto lock = lock_blas(*s.factor);
   cholmod_factorize_p(&a, beta, nullptr, 0, s.factor, &s.common);
   if (s.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   s.factorized = s.common.status == CHOLMOD_OK && s.factor->minor == s.factor->n;
@@ -183,6 +192,7 @@ Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
   b.x = s.right_hand_side.data();
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
+  const auto lock = lock_blas(*s.factor);
   if (!cholmod_solve2(CHOLMOD_A, s.factor, &b, nullptr, &s.solution, nullptr, &s.work_y, &s.work_e,
                       &s.common))
     throw std::bad_alloc();

@@ -3,13 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <thread>
+#include <utility>
+#include <vector>
+
 namespace foldless {
 namespace {
 
-/// The Laplacian of a ring of nodes plus `diagonal`, the same for x and y.
-SparseSymmetric ring(int nodes, double diagonal) {
-  std::vector<std::pair<int, int>> edges;
-  for (int i = 0; i < nodes; ++i) edges.emplace_back(i, (i + 1) % nodes);
+using NodePairs = std::vector<std::pair<int, int>>;
+
+/// The Laplacian of a graph plus `diagonal`, the same for x and y.
+SparseSymmetric laplacian(int nodes, const NodePairs& edges, double diagonal) {
   SparseSymmetric m = sparse_symmetric(nodes, edges);
   const auto add = [&m](int i, int j, double value) {
     const BlockPlace place = find_block(m, i, j);
@@ -25,6 +30,29 @@ SparseSymmetric ring(int nodes, double diagonal) {
   return m;
 }
 
+SparseSymmetric ring(int nodes, double diagonal) {
+  NodePairs edges;
+  for (int i = 0; i < nodes; ++i) edges.emplace_back(i, (i + 1) % nodes);
+  return laplacian(nodes, edges, diagonal);
+}
+
+/// A square grid of n × n nodes, whose factor has dense blocks.
+SparseSymmetric laplacian_of_grid(int n) {
+  NodePairs edges;
+  for (int i = 0; i < n * n; ++i) {
+    if (i % n + 1 < n) edges.emplace_back(i, i + 1);
+    if (i + n < n * n) edges.emplace_back(i, i + n);
+  }
+  return laplacian(n * n, edges, 0.1);
+}
+
+Eigen::VectorXd solution_of(const SparseSymmetric& m) {
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  EXPECT_TRUE(cholesky.factorize(m));
+  return cholesky.solve(Eigen::VectorXd::LinSpaced(m.size(), -1, 2));
+}
+
 double residual(const SparseSymmetric& m, double shift, const Eigen::VectorXd& x,
                 const Eigen::VectorXd& b) {
   Eigen::VectorXd r = b - shift * x;
@@ -37,6 +65,21 @@ double residual(const SparseSymmetric& m, double shift, const Eigen::VectorXd& x
       if (row != column) r[column] -= value * x[row];
     }
   return r.norm() / b.norm();
+}
+
+TEST(Cholesky, TwoLargeSolvesAtOnceDoNotDisturbEachOther) {
+  const SparseSymmetric m = laplacian_of_grid(50);
+  ASSERT_GE(m.size(), Cholesky::kSupernodalFrom);
+  const Eigen::VectorXd alone = solution_of(m);
+  std::array<int, 2> spoilt{};
+  {
+    std::vector<std::jthread> solvers;
+    for (int& count : spoilt)
+      solvers.emplace_back([&] {
+        for (int k = 0; k < 20; ++k) count += solution_of(m) != alone;
+      });
+  }
+  EXPECT_EQ(spoilt, (std::array<int, 2>{}));
 }
 
 // Both sizes: the simplicial and the supernodal factorization.
