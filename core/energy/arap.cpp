@@ -13,7 +13,7 @@ namespace foldless {
 double arap_value(const Mat2& J) {
   const double p = J(0, 0) + J(1, 1);
   const double q = J(1, 0) - J(0, 1);
-  const double r = std::hypot(p, q);
+  const double r = std::sqrt(p * p + q * q);
   Mat2 R;
   R << p / r, -q / r, q / r, p / r;
   return 0.5 * (J - R).squaredNorm();
@@ -22,7 +22,7 @@ double arap_value(const Mat2& J) {
 DensityDerivatives arap_derivatives(const Mat2& J) {
   const double p = J(0, 0) + J(1, 1);
   const double q = J(1, 0) - J(0, 1);
-  const double r = std::hypot(p, q);
+  const double r = std::sqrt(p * p + q * q);
   const Eigen::Vector4d r_gradient = Eigen::Vector4d(p, q, -q, p) / r;
   // ∇²r = (e_p e_pᵀ + e_q e_qᵀ − ∇r ∇rᵀ)/r = n nᵀ/r with n ⊥ ∇r in the span of e_p and e_q.
   const Eigen::Vector4d normal = Eigen::Vector4d(-q, p, -p, -q) / r;

@@ -7,10 +7,10 @@
 
 namespace foldless {
 
-/// The positive semidefinite matrix nearest to the Hessian (4×4 over the columns of J) of an energy
-/// that is isotropic up to a linear term: negative eigenvalues become zero. In the frame of the
-/// singular vectors of J such a Hessian falls into two 2×2 blocks, so no iteration is needed
-/// [SGK19].
-Eigen::Matrix4d clamped_hessian(const Eigen::Matrix4d& hessian, const Mat2& J);
+/// The Hessian (4×4 over the columns of J) of an energy that is isotropic up to a linear term,
+/// without the part `clamping` of its negative curvature: 0 leaves it as it is, 1 gives the
+/// positive semidefinite matrix nearest to it. In the frame of the singular vectors of J such a
+/// Hessian falls into two 2×2 blocks, so no iteration is needed [SGK19].
+Eigen::Matrix4d clamped_hessian(const Eigen::Matrix4d& hessian, const Mat2& J, double clamping = 1);
 
 }  // namespace foldless

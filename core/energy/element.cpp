@@ -12,13 +12,30 @@
 namespace foldless {
 namespace {
 
-/// ∂ vec(J) / ∂ corners, 4 × 6: J_rc = Σ_j u_jr ∂_c φ_j.
-Eigen::Matrix<double, 4, 6> jacobian_of_J(const RestElement& rest) {
-  Eigen::Matrix<double, 4, 6> B = Eigen::Matrix<double, 4, 6>::Zero();
+// The derivatives by the corners are those by vec(J) through J = Σ_j u_j ∇φ_jᵀ: a pair of rows of
+// vec(J) for each column c of J, a pair of rows of the corners for each corner j, joined by ∂_c
+// φ_j.
+
+Eigen::Matrix<double, 6, 1> gradient_by_corners(const RestElement& rest,
+                                                const Eigen::Vector4d& gradient) {
+  Eigen::Matrix<double, 6, 1> result;
   for (int j = 0; j < 3; ++j)
-    for (int r = 0; r < 2; ++r)
-      for (int c = 0; c < 2; ++c) B(r + 2 * c, 2 * j + r) = rest.gradients(c, j);
-  return B;
+    result.segment<2>(2 * j) =
+        rest.gradients(0, j) * gradient.head<2>() + rest.gradients(1, j) * gradient.tail<2>();
+  return result;
+}
+
+Eigen::Matrix<double, 6, 6> hessian_by_corners(const RestElement& rest,
+                                               const Eigen::Matrix4d& hessian) {
+  Eigen::Matrix<double, 6, 6> result;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Matrix<double, 4, 2> column = rest.gradients(0, k) * hessian.leftCols<2>() +
+                                               rest.gradients(1, k) * hessian.rightCols<2>();
+    for (int j = 0; j < 3; ++j)
+      result.block<2, 2>(2 * j, 2 * k) = rest.gradients(0, j) * column.topRows<2>() +
+                                         rest.gradients(1, j) * column.bottomRows<2>();
+  }
+  return result;
 }
 
 double distortion_weight(const EnergySettings& settings, const RestElement& rest) {
@@ -101,19 +118,18 @@ ElementGradient element_gradient(const EnergySettings& settings, const RestEleme
   ElementGradient result;
   const Mat2 J = deformation_gradient(rest, deformed);
   const DensityDerivatives d = weighted_derivatives(settings, rest, J, result.energy);
-  result.gradient = jacobian_of_J(rest).transpose() * d.gradient;
+  result.gradient = gradient_by_corners(rest, d.gradient);
   return result;
 }
 
 ElementHessian element_hessian(const EnergySettings& settings, const RestElement& rest,
-                               const Corners& deformed, Curvature curvature) {
+                               const Corners& deformed, double clamping) {
   ElementHessian result;
   const Mat2 J = deformation_gradient(rest, deformed);
   DensityDerivatives d = weighted_derivatives(settings, rest, J, result.energy);
-  if (curvature == Curvature::clamped) d.hessian = clamped_hessian(d.hessian, J);
-  const Eigen::Matrix<double, 4, 6> B = jacobian_of_J(rest);
-  result.gradient = B.transpose() * d.gradient;
-  result.hessian = B.transpose() * d.hessian * B;
+  if (clamping > 0) d.hessian = clamped_hessian(d.hessian, J, clamping);
+  result.gradient = gradient_by_corners(rest, d.gradient);
+  result.hessian = hessian_by_corners(rest, d.hessian);
   return result;
 }
 

@@ -14,12 +14,6 @@ enum class Reference {
   equilateral  ///< an equilateral triangle of the same area: E forgets the map's distortion
 };
 
-/// Which part of an element Hessian is used.
-enum class Curvature {
-  exact,   ///< all of it
-  clamped  ///< its nearest positive semidefinite matrix in J: negative eigenvalues become zero
-};
-
 /// Which energy E of eq. 5 is minimised, in the frame of the mesh it is used on.
 struct EnergySettings {
   const Density* density = nullptr;  ///< ψ
@@ -74,8 +68,9 @@ ElementEnergy element_energy(const EnergySettings& settings, const RestElement& 
 /// Precondition: A′ > δA.
 ElementGradient element_gradient(const EnergySettings& settings, const RestElement& rest,
                                  const Corners& deformed);
+/// The Hessian is without the part `clamping` of its negative curvature; see clamped_hessian().
 /// Precondition: A′ > δA.
 ElementHessian element_hessian(const EnergySettings& settings, const RestElement& rest,
-                               const Corners& deformed, Curvature curvature = Curvature::exact);
+                               const Corners& deformed, double clamping = 0);
 
 }  // namespace foldless

@@ -21,6 +21,11 @@ double smallest_positive_root(double a, double b, double c) {
   return root;
 }
 
+void add(const ElementEnergy& element, EnergyTerms& sum) {
+  sum.distortion += element.distortion;
+  sum.barrier += element.barrier;
+}
+
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 }  // namespace
@@ -53,44 +58,46 @@ EnergyTerms Objective::value(const Points& u, const Positions& positions) const 
     const ElementEnergy e = element_energy(settings_, rest_[static_cast<std::size_t>(t)],
                                            corners_of(u, triangles_.col(t)));
     if (e.barrier == kInfinity) return {0, 0, kInfinity};
-    terms.distortion += e.distortion;
-    terms.barrier += e.barrier;
+    add(e, terms);
   }
   terms.penalty = settings_.alpha * penalty(positions, u);
   return terms;
 }
 
-Eigen::VectorXd Objective::gradient(const Points& u, const Positions& positions) const {
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * unknowns_.count());
+EnergyGradient Objective::gradient(const Points& u, const Positions& positions) const {
+  EnergyGradient sum{{}, Eigen::VectorXd::Zero(2 * unknowns_.count())};
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const ElementGradient e = element_gradient(settings_, rest_[static_cast<std::size_t>(t)],
                                                corners_of(u, triangles_.col(t)));
+    add(e.energy, sum.energy);
     for (int corner = 0; corner < 3; ++corner)
-      gradient.segment<2>(2 * node_of(triangles_(corner, t))) += e.gradient.segment<2>(2 * corner);
+      sum.gradient.segment<2>(2 * node_of(triangles_(corner, t))) +=
+          e.gradient.segment<2>(2 * corner);
   }
-  add_positions(u, positions, gradient);
-  return gradient;
+  add_positions(u, positions, sum);
+  return sum;
 }
 
-Eigen::VectorXd Objective::assemble(const Points& u, const Positions& positions,
-                                    SparseSymmetric& hessian, Curvature curvature) const {
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * unknowns_.count());
+EnergyGradient Objective::assemble(const Points& u, const Positions& positions,
+                                   SparseSymmetric& hessian, double clamping) const {
+  EnergyGradient sum{{}, Eigen::VectorXd::Zero(2 * unknowns_.count())};
   std::fill(hessian.value.begin(), hessian.value.end(), 0.0);
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const ElementHessian e = element_hessian(settings_, rest_[static_cast<std::size_t>(t)],
-                                             corners_of(u, triangles_.col(t)), curvature);
+                                             corners_of(u, triangles_.col(t)), clamping);
+    add(e.energy, sum.energy);
     std::array<int, 3> nodes{};
     for (int corner = 0; corner < 3; ++corner) {
       const int node = node_of(triangles_(corner, t));
       const bool is_out = positions.held && is_handle(node);
       nodes[static_cast<std::size_t>(corner)] = is_out ? -1 : node;
-      gradient.segment<2>(2 * node) += e.gradient.segment<2>(2 * corner);
+      sum.gradient.segment<2>(2 * node) += e.gradient.segment<2>(2 * corner);
     }
     add_block(hessian, nodes, e.hessian);
   }
-  add_positions(u, positions, gradient);
+  add_positions(u, positions, sum);
   add_positions(positions, hessian);
-  return gradient;
+  return sum;
 }
 
 Eigen::VectorXd Objective::pull_of_handles(const Points& u, const Points& way) const {
@@ -99,8 +106,8 @@ Eigen::VectorXd Objective::pull_of_handles(const Points& u, const Points& way) c
     const auto& corners = triangles_.col(t);
     const Corners moves = corners_of(way, corners);
     if (moves.isZero(0)) continue;
-    const ElementHessian e = element_hessian(settings_, rest_[static_cast<std::size_t>(t)],
-                                             corners_of(u, corners), Curvature::clamped);
+    const ElementHessian e =
+        element_hessian(settings_, rest_[static_cast<std::size_t>(t)], corners_of(u, corners), 1);
     const Eigen::Matrix<double, 6, 1> change = e.hessian * moves.reshaped();
     for (int corner = 0; corner < 3; ++corner) {
       const int node = node_of(corners[corner]);
@@ -111,15 +118,16 @@ Eigen::VectorXd Objective::pull_of_handles(const Points& u, const Points& way) c
 }
 
 void Objective::add_positions(const Points& u, const Positions& positions,
-                              Eigen::VectorXd& gradient) const {
+                              EnergyGradient& sum) const {
+  sum.energy.penalty = settings_.alpha * penalty(positions, u);
   for (int i = 0; i < positions.count(); ++i) {
     const int v = positions.vertices[static_cast<std::size_t>(i)];
     const int node = node_of(v);
     if (node < 0) continue;
     if (positions.is_eliminated(i))
-      gradient.segment<2>(2 * node).setZero();
+      sum.gradient.segment<2>(2 * node).setZero();
     else
-      gradient.segment<2>(2 * node) +=
+      sum.gradient.segment<2>(2 * node) +=
           2 * settings_.alpha * positions.weights[i] * (u.col(v) - positions.targets.col(i));
   }
 }

@@ -20,6 +20,12 @@ struct EnergyTerms {
   double total() const { return distortion + penalty + barrier; }
 };
 
+/// E with ∇E.
+struct EnergyGradient {
+  EnergyTerms energy;
+  Eigen::VectorXd gradient;  ///< 2 #unknowns
+};
+
 /// E(u) of eq. 5 for one connectivity: value, gradient and Hessian. Positions u are 2 × #V; the
 /// gradient has one pair (x, y) per unknown node. Rebuild it after flips and splits.
 class Objective {
@@ -33,12 +39,13 @@ class Objective {
 
   /// Infinite terms when u is outside the feasible set.
   EnergyTerms value(const Points& u, const Positions& positions) const;
-  /// ∇E, 2 #unknowns. Precondition: u is feasible.
-  Eigen::VectorXd gradient(const Points& u, const Positions& positions) const;
-  /// ∇E, and ∇²E into `hessian`, which has the pattern of hessian_pattern(). Rows and columns of
-  /// held handles are those of the identity.
-  Eigen::VectorXd assemble(const Points& u, const Positions& positions, SparseSymmetric& hessian,
-                           Curvature curvature = Curvature::exact) const;
+  /// E and ∇E. Precondition: u is feasible.
+  EnergyGradient gradient(const Points& u, const Positions& positions) const;
+  /// E and ∇E, and ∇²E into `hessian`, which has the pattern of hessian_pattern(); its elements are
+  /// without the part `clamping` of their negative curvature. Rows and columns of held handles are
+  /// those of the identity. Precondition: u is feasible.
+  EnergyGradient assemble(const Points& u, const Positions& positions, SparseSymmetric& hessian,
+                          double clamping = 0) const;
   /// How ∇E changes at the other unknowns, to first order, when handles that may be held move by
   /// `way` (2 × #V, zero elsewhere): K_fh way of ∇²E with clamped elements, 2 #unknowns, zero at
   /// those handles. Precondition: u is feasible.
@@ -53,7 +60,7 @@ class Objective {
   Points spread(const Eigen::VectorXd& direction) const;
 
  private:
-  void add_positions(const Points& u, const Positions& positions, Eigen::VectorXd& gradient) const;
+  void add_positions(const Points& u, const Positions& positions, EnergyGradient& sum) const;
   void add_positions(const Positions& positions, SparseSymmetric& hessian) const;
   bool is_handle(int node) const { return is_handle_[static_cast<std::size_t>(node)]; }
   int node_of(int v) const { return unknowns_.node_of_vertex[static_cast<std::size_t>(v)]; }

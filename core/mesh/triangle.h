@@ -45,8 +45,9 @@ inline Mat2 deformation_gradient(const Points& rest, const Points& deformed,
 
 /// Singular values σ₁ ≥ |σ₂| of J; σ₂ carries the sign of det J.
 inline Vec2 signed_singular_values(const Mat2& J) {
-  const double conformal = 0.5 * std::hypot(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1));
-  const double anticonformal = 0.5 * std::hypot(J(0, 0) - J(1, 1), J(1, 0) + J(0, 1));
+  const auto length = [](double x, double y) { return std::sqrt(x * x + y * y); };
+  const double conformal = 0.5 * length(J(0, 0) + J(1, 1), J(1, 0) - J(0, 1));
+  const double anticonformal = 0.5 * length(J(0, 0) - J(1, 1), J(1, 0) + J(0, 1));
   return {conformal + anticonformal, conformal - anticonformal};
 }
 

@@ -7,7 +7,7 @@ namespace foldless {
 
 Iteration record_of(const VertexUpdate& update, const NewtonSystem& system, const MeshPair& mesh,
                     const Positions& positions) {
-  const EnergyTerms terms = system.objective().value(mesh.deformed(), positions);
+  const EnergyTerms& terms = system.energy();
   const Quality quality = quality_of(mesh.triangles(), mesh.rest(), mesh.deformed());
   Iteration iteration;
   iteration.distortion_energy = terms.distortion;

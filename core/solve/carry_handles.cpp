@@ -35,7 +35,7 @@ Points moved(const MeshPair& mesh, const Positions& positions, const Points& ste
 
 VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
                            std::stop_token token) {
-  system.assemble(mesh.deformed(), positions, Curvature::clamped);
+  system.assemble(mesh.deformed(), positions, 1);
   const std::optional<double> mu = factorize_clamped(system, token);
   if (!mu) return {.cancelled = token.stop_requested()};
   VertexUpdate update{.mu = *mu};

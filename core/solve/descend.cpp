@@ -13,16 +13,23 @@ constexpr double kLargestShift = 1e13;
 constexpr double kShiftFactor = 100;
 
 constexpr int kMostFullStepsWanted = 8;
+constexpr double kFirstPart = 0.5;
+constexpr double kLeastPart = 0.25;
 
-void after_clamped(CurvatureChoice& choice, double step_length) {
-  choice.full_steps = step_length == 1 ? choice.full_steps + 1 : 0;
-  if (choice.full_steps >= choice.full_steps_wanted) choice.next = Curvature::exact;
+void after_partly_clamped(CurvatureChoice& choice, double step_length) {
+  choice.full_steps_wanted = 1;
+  if (step_length == 1) choice.clamping = choice.clamping > kLeastPart ? choice.clamping / 2 : 0;
 }
 
 void after_failure(CurvatureChoice& choice) {
-  choice.next = Curvature::clamped;
+  choice.clamping = 1;
   choice.full_steps = 0;
   choice.full_steps_wanted = std::min(2 * choice.full_steps_wanted, kMostFullStepsWanted);
+}
+
+void after_clamped(CurvatureChoice& choice, double step_length) {
+  choice.full_steps = step_length == 1 ? choice.full_steps + 1 : 0;
+  if (choice.full_steps >= choice.full_steps_wanted) choice.clamping = kFirstPart;
 }
 
 }  // namespace
@@ -39,20 +46,23 @@ std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token to
 
 VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
                      CurvatureChoice& choice, std::stop_token token) {
-  if (choice.next == Curvature::exact) {
-    system.assemble(mesh.deformed(), positions);
+  if (choice.clamping < 1) {
+    system.assemble(mesh.deformed(), positions, choice.clamping);
     if (system.factorize(0)) {
-      choice.full_steps_wanted = 1;
-      return move_vertices(system, mesh, positions, 0);
+      VertexUpdate update = move_vertices(system, mesh, positions, 0);
+      update.clamping = choice.clamping;
+      after_partly_clamped(choice, update.step_length);
+      return update;
     }
     if (token.stop_requested()) return {.cancelled = true};
     after_failure(choice);
   }
-  system.assemble(mesh.deformed(), positions, Curvature::clamped);
+  system.assemble(mesh.deformed(), positions, 1);
   const std::optional<double> mu = factorize_clamped(system, token, choice.last_shift);
   if (!mu) return {.cancelled = token.stop_requested()};
   choice.last_shift = *mu;
-  const VertexUpdate update = move_vertices(system, mesh, positions, *mu);
+  VertexUpdate update = move_vertices(system, mesh, positions, *mu);
+  update.clamping = 1;
   after_clamped(choice, update.step_length);
   return update;
 }

@@ -16,14 +16,14 @@ constexpr int kMostHalvings = 60;
 
 LineSearchResult line_search(const Objective& objective, const Positions& positions,
                              const Line& line) {
-  const double energy = objective.value(line.u, positions).total();
   // Near the minimum the decrease drowns in the rounding of the sum.
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() * std::abs(energy);
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * std::abs(line.energy);
   double t = std::min(1.0, kFirstTrial * objective.largest_step(line.u, line.step));
   for (int halving = 0; halving < kMostHalvings; ++halving, t /= 2) {
     Points trial = line.u + t * line.step;
     const double trial_energy = objective.value(trial, positions).total();
-    if (trial_energy <= energy + kArmijo * t * line.slope + rounding) return {t, std::move(trial)};
+    if (trial_energy <= line.energy + kArmijo * t * line.slope + rounding)
+      return {t, std::move(trial)};
   }
   return {0, line.u};
 }

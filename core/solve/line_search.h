@@ -18,6 +18,7 @@ struct LineSearchResult {
 struct Line {
   const Points& u;     ///< where it starts, 2 × #V
   const Points& step;  ///< its direction, 2 × #V
+  double energy;       ///< E(u)
   double slope;        ///< ∇E·step, negative
 };
 

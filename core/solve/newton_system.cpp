@@ -9,9 +9,10 @@ constexpr double kLambdaAfterSuccess = 1e-5;
 constexpr double kLambdaFactor = 10;
 constexpr double kLargestLambda = 1e17;
 
-/// Of a small system. A large one is ordered anew whenever an edge has changed: a few hundred flips
-/// under an old ordering were measured to treble the time of its factorization.
+/// Of a small system. One of so many unknowns is ordered anew whenever an edge has changed: a few
+/// hundred flips under an old ordering were measured to treble the time of its factorization.
 constexpr double kEdgesChangedBeforeReordering = 0.02;
+constexpr int kReorderedFrom = 2000;
 
 }  // namespace
 
@@ -37,15 +38,15 @@ void NewtonSystem::set_energy(const EnergySettings& settings, const MeshPair& me
   plain_factor_ = false;
 }
 
-void NewtonSystem::assemble(const Points& u, const Positions& positions, Curvature curvature) {
+void NewtonSystem::assemble(const Points& u, const Positions& positions, double clamping) {
   StageTimer timer(times.assemble);
-  gradient_ = objective_.assemble(u, positions, hessian_, curvature);
+  first_order_ = objective_.assemble(u, positions, hessian_, clamping);
   plain_factor_ = false;
 }
 
 void NewtonSystem::assemble_gradient(const Points& u, const Positions& positions) {
   StageTimer timer(times.assemble);
-  gradient_ = objective_.gradient(u, positions);
+  first_order_ = objective_.gradient(u, positions);
 }
 
 bool NewtonSystem::factorize(double mu) {
@@ -54,7 +55,7 @@ bool NewtonSystem::factorize(double mu) {
     StageTimer timer(times.analyze);
     const bool keep =
         edges_changed_since_ordering_ == 0 ||
-        (hessian_.size() < Cholesky::kSupernodalFrom &&
+        (hessian_.size() < kReorderedFrom &&
          edges_changed_since_ordering_ <= kEdgesChangedBeforeReordering * edge_count_);
     if (!keep) edges_changed_since_ordering_ = 0;
     cholesky_.analyze(hessian_, keep);
@@ -90,20 +91,20 @@ std::optional<double> NewtonSystem::factorize_damped(bool plain_failed, std::sto
 
 Points NewtonSystem::newton_step() {
   StageTimer timer(times.solve);
-  return objective_.spread(cholesky_.solve(-gradient_));
+  return objective_.spread(cholesky_.solve(-gradient()));
 }
 
 Points NewtonSystem::carrying_step(const Points& u, const Points& way) {
   StageTimer timer(times.solve);
   const Eigen::VectorXd pull = objective_.pull_of_handles(u, way);
-  return objective_.spread(cholesky_.solve(-gradient_ - pull)) + way;
+  return objective_.spread(cholesky_.solve(-gradient() - pull)) + way;
 }
 
 double NewtonSystem::slope(const Points& step) const {
   double sum = 0;
   const std::vector<int>& vertices = objective_.unknowns().vertex_of_node;
   for (std::size_t node = 0; node < vertices.size(); ++node)
-    sum += gradient_.segment<2>(2 * static_cast<Eigen::Index>(node)).dot(step.col(vertices[node]));
+    sum += gradient().segment<2>(2 * static_cast<Eigen::Index>(node)).dot(step.col(vertices[node]));
   return sum;
 }
 

@@ -34,12 +34,15 @@ class NewtonSystem {
   void set_alpha(double alpha) { objective_.set_alpha(alpha); }
   void set_conformal_weight(double weight) { objective_.set_conformal_weight(weight); }
 
-  /// Assembles ∇E and ∇²E at u for the factorizations that follow.
-  void assemble(const Points& u, const Positions& positions,
-                Curvature curvature = Curvature::exact);
-  /// Assembles ∇E alone. ∇²E and its factor stay good when only targets moved since assemble().
+  /// Assembles E, ∇E and ∇²E at u for the factorizations that follow; elements are without the
+  /// part `clamping` of their negative curvature.
+  void assemble(const Points& u, const Positions& positions, double clamping = 0);
+  /// Assembles E and ∇E alone. ∇²E and its factor stay good when only targets moved since
+  /// assemble().
   void assemble_gradient(const Points& u, const Positions& positions);
-  const Eigen::VectorXd& gradient() const { return gradient_; }
+  /// E and ∇E as assembled last.
+  const EnergyTerms& energy() const { return first_order_.energy; }
+  const Eigen::VectorXd& gradient() const { return first_order_.gradient; }
   /// True when the factor of ∇²E itself, as last assembled, is at hand.
   bool has_plain_factor() const { return plain_factor_ && cholesky_.has_factor(); }
   /// Factorizes ∇²E + μI as last assembled; false when it is not positive definite. Counts H.
@@ -67,7 +70,7 @@ class NewtonSystem {
  private:
   Objective objective_;
   SparseSymmetric hessian_;
-  Eigen::VectorXd gradient_;
+  EnergyGradient first_order_;
   Cholesky cholesky_;
   bool pattern_analyzed_ = false;
   bool plain_factor_ = false;

@@ -25,8 +25,8 @@ VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions
   const double slope = system.slope(step);
   if (!(slope < 0)) return update;
   update.decrement = -0.5 * slope;
-  LineSearchResult found =
-      line_search(system.objective(), positions, {mesh.deformed(), step, slope});
+  LineSearchResult found = line_search(system.objective(), positions,
+                                       {mesh.deformed(), step, system.energy().total(), slope});
   if (found.step_length == 0) return update;
   update.step_length = found.step_length;
   update.step_infinity_norm = (found.u - mesh.deformed()).cwiseAbs().maxCoeff();

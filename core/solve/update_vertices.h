@@ -13,6 +13,7 @@ namespace foldless {
 struct VertexUpdate {
   bool cancelled = false;         ///< nothing was changed
   double mu = 0;                  ///< shift that made eq. 6 solvable
+  double clamping = 0;            ///< part of the negative curvature that ∇²E was without
   double step_length = 0;         ///< t of the line search; 0 when no decrease was found
   double decrement = 0;           ///< −½∇E·s, the decrease that the quadratic model promises
   double step_infinity_norm = 0;  ///< ‖u_n − u_{n−1}‖_∞, the largest change of a coordinate

@@ -80,7 +80,7 @@ void search_line(benchmark::State& state) {
   system.assemble(mesh.deformed(), twist.positions);
   if (!system.factorize_damped(false, {})) state.SkipWithError("no factor");
   const Points step = system.newton_step();
-  const Line line{mesh.deformed(), step, system.slope(step)};
+  const Line line{mesh.deformed(), step, system.energy().total(), system.slope(step)};
   for (auto _ : state)
     benchmark::DoNotOptimize(line_search(system.objective(), twist.positions, line));
   report_triangles(state, mesh);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <random>
 
 #include "core/energy/barrier.h"
@@ -47,6 +48,30 @@ TEST(ClampedHessian, IsTheNearestPositiveSemidefiniteMatrixForEveryDensityWithBa
       clamped += (expected - hessian).norm() > 1e-6 * hessian.norm();
     }
   EXPECT_GT(clamped, 100) << "the claim would be empty";
+}
+
+TEST(ClampedHessian, TakesTheWantedPartOfTheNegativeCurvatureAway) {
+  std::mt19937_64 random(12);
+  for (const double part : {0.0, 0.25, 0.5, 1.0}) {
+    const Mat2 J = random_gradient(random);
+    const Eigen::Matrix4d hessian =
+        -0.3 * Eigen::Matrix4d::Identity() +
+        2 * determinant_gradient(J) * determinant_gradient(J).transpose();
+    const Eigen::Matrix4d expected = hessian + part * (clamped_by_eigenvalues(hessian) - hessian);
+    EXPECT_LE((clamped_hessian(hessian, J, part) - expected).norm(), 1e-12) << part;
+  }
+}
+
+TEST(ClampedHessian, IsExactWhereTheSingularValuesAreEqualAndWhereJIsDiagonal) {
+  for (const Vec2& scales : {Vec2(1, 1), Vec2(0.1, 3), Vec2(3, 0.1)})
+    for (const double angle : {0.0, 1.0, 3.1415, -2.0}) {
+      const Mat2 J = Eigen::Rotation2Dd(angle) * Mat2(scales.asDiagonal());
+      const Eigen::Matrix4d hessian =
+          find_density("green-strain")->derivatives(J).hessian + 0.5 * determinant_hessian();
+      EXPECT_LE((clamped_hessian(hessian, J) - clamped_by_eigenvalues(hessian)).norm(),
+                1e-9 * hessian.norm())
+          << scales.transpose() << ", " << angle;
+    }
 }
 
 TEST(ClampedHessian, LeavesAPositiveDefiniteHessianAsItIs) {

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solve/descend.h"
+
+#include <gtest/gtest.h>
+
+#include "core/energy/densities.h"
+#include "tests/support/meshes.h"
+
+namespace foldless {
+namespace {
+
+/// A square grid squeezed to a part of its size, whose corners are pulled back to where they were.
+/// Under ARAP a triangle of less than half of its size has negative curvature.
+struct Squeezed {
+  explicit Squeezed(double size) {
+    const auto f = test::square_grid(4);
+    mesh = MeshPair(f.triangles, f.rest, size * f.rest);
+    std::vector<Handle> corners;
+    for (const int v : {0, 3, 12, 15})
+      corners.push_back({.id = v, .vertex = v, .target = f.rest.col(v)});
+    positions = positions_of(corners);
+    settings.density = find_density("arap");
+    settings.alpha = 1;
+    settings.beta = 2;
+    settings.barrier_area_weighted = true;
+  }
+
+  MeshPair mesh;
+  Positions positions;
+  EnergySettings settings;
+};
+
+TEST(Descend, WhereTheExactHessianIsDefiniteOneFactorizationServesAStep) {
+  Squeezed s(0.9);
+  NewtonSystem system(s.settings, s.mesh, s.positions);
+  CurvatureChoice choice;
+  const VertexUpdate update = descend(system, s.mesh, s.positions, choice, {});
+  EXPECT_EQ(update.clamping, 0);
+  EXPECT_GT(update.step_length, 0);
+  EXPECT_EQ(system.counters.factorizations, 1);
+}
+
+TEST(Descend, GoesBackToTheExactHessianThroughParts) {
+  Squeezed s(0.2);
+  NewtonSystem system(s.settings, s.mesh, s.positions);
+  CurvatureChoice choice;
+  double energy = system.objective().value(s.mesh.deformed(), s.positions).total();
+  std::vector<double> parts;
+  VertexUpdate update;
+  for (int step = 0; step < 50; ++step) {
+    update = descend(system, s.mesh, s.positions, choice, {});
+    const double lower = system.objective().value(s.mesh.deformed(), s.positions).total();
+    EXPECT_LE(lower, energy);
+    energy = lower;
+    if (parts.empty() || parts.back() != update.clamping) parts.push_back(update.clamping);
+    if (update.decrement < 1e-12) break;
+  }
+  EXPECT_LT(update.decrement, 1e-12);
+  EXPECT_EQ(parts, (std::vector<double>{1, 0.5, 0.25, 0}));
+}
+
+TEST(Descend, WhenCancelledNothingMoves) {
+  Squeezed s(0.2);
+  NewtonSystem system(s.settings, s.mesh, s.positions);
+  CurvatureChoice choice;
+  const Points before = s.mesh.deformed();
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_TRUE(descend(system, s.mesh, s.positions, choice, stop.get_token()).cancelled);
+  EXPECT_EQ(s.mesh.deformed(), before);
+}
+
+}  // namespace
+}  // namespace foldless
