@@ -47,21 +47,22 @@ Foldless::Foldless(Problem problem)
       first_removable_(first_removable_vertex(problem)),
       energy_(own_energy(problem)),
       work_(workspace_of(problem.mesh, problem, energy_)),
-      stage_(Approach(work_)) {
+      stage_(first_stage()) {
   if (work_.system.objective().unknowns().count() == 0) outcome_ = Outcome::gradient;
+}
+
+Foldless::Stage Foldless::first_stage() {
+  if (work_.error() > 0) return Pursue(work_);
+  return Tidy(work_, first_removable_);
 }
 
 std::unique_ptr<Method> Foldless::clone() const { return std::make_unique<Foldless>(*this); }
 
 void Foldless::set_targets(const Points& targets) {
   work_.positions.targets = targets;
-  if (work_.error() > 0)
-    stage_ = Pursue(work_);
-  else
-    stage_ = Tidy(work_, first_removable_);
+  stage_ = first_stage();
   split_rounds_ = 0;
-  next_plan_ = 0;
-  plans_.clear();
+  attempts_ = 0;
   if (work_.system.objective().unknowns().count() > 0) outcome_.reset();
 }
 
@@ -76,7 +77,7 @@ std::optional<Iteration> Foldless::step(std::stop_token token) {
 
 std::optional<Iteration> Foldless::advance(std::stop_token token) {
   if (auto* stage = std::get_if<Approach>(&stage_)) return approach(*stage, token);
-  if (auto* stage = std::get_if<Attempt>(&stage_)) return transport(*stage, token);
+  if (auto* stage = std::get_if<Attempt>(&stage_)) return attempt(*stage, token);
   if (auto* stage = std::get_if<Pursue>(&stage_)) return pursue(*stage, token);
   return settle(std::get<Tidy>(stage_), token);
 }
@@ -92,19 +93,21 @@ std::optional<Iteration> Foldless::approach(Approach& stage, std::stop_token tok
   return iteration;
 }
 
-std::optional<Iteration> Foldless::transport(Attempt& attempt, std::stop_token token) {
+std::optional<Iteration> Foldless::attempt(Attempt& attempt, std::stop_token token) {
   VertexUpdate update;
-  const Progress progress = attempt.transport.step(attempt.work, token, update);
+  const Progress progress =
+      std::visit([&](auto& way) { return way.step(attempt.work, token, update); }, attempt.way);
   if (progress == Progress::cancelled) return std::nullopt;
   Iteration iteration = record(attempt.work, update, attempt.work.positions);
-  iteration.phase = Phase::transport;
+  iteration.phase =
+      std::holds_alternative<Transport>(attempt.way) ? Phase::transport : Phase::approach;
   if (progress == Progress::arrived) {
     work_ = std::move(attempt.work);
     work_.set_energy(energy_);
     stage_ = Tidy(work_, first_removable_);
   } else if (progress == Progress::locked) {
     work_.take_counts(attempt.work);
-    begin_next_transport();
+    begin_next_attempt();
   }
   return iteration;
 }
@@ -138,22 +141,27 @@ void Foldless::after_locked_approach() {
     stage_ = Approach(work_);
     return;
   }
-  const Points starts = held_where_they_are(work_.positions, initial_.rest()).targets;
-  plans_ = transport_plans(starts, work_.positions.targets);
-  next_plan_ = 0;
-  begin_next_transport();
+  begin_next_attempt();
 }
 
-void Foldless::begin_next_transport() {
-  if (next_plan_ >= plans_.size()) {
+void Foldless::begin_next_attempt() {
+  Workspace work = work_;
+  work.set_mesh(MeshPair(initial_.triangles(), initial_.rest()));
+  if (attempts_++ == 0) {
+    Approach way(work);
+    stage_ = Attempt{std::move(work), std::move(way)};
+    return;
+  }
+  const Points starts = held_where_they_are(work.positions, initial_.rest()).targets;
+  const std::vector<TransportPlan> plans = transport_plans(starts, work.positions.targets);
+  const std::size_t next = attempts_ - 2;
+  if (next >= plans.size()) {
     outcome_ = Outcome::step;
     return;
   }
-  Workspace work = work_;
-  work.set_mesh(MeshPair(initial_.triangles(), initial_.rest()));
   work.set_energy(Transport::energy(energy_.delta));
-  Transport stage(work, plans_[next_plan_++]);
-  stage_ = Attempt{std::move(work), std::move(stage)};
+  Transport way(work, plans[next]);
+  stage_ = Attempt{std::move(work), std::move(way)};
 }
 
 bool Foldless::split() {
@@ -173,7 +181,7 @@ Iteration Foldless::record(Workspace& work, const VertexUpdate& update,
                            const Positions& positions) {
   work.system.assemble_gradient(work.mesh.deformed(), positions);
   Iteration iteration = record_of(update, work.system, work.mesh, work.positions);
-  iteration.outer = split_rounds_ + static_cast<int>(next_plan_);
+  iteration.outer = split_rounds_ + static_cast<int>(attempts_);
   iteration.inner = ++inner_;
   iteration.flips = work.flips;
   iteration.splits = work.splits;

@@ -15,10 +15,11 @@ namespace foldless {
 /// replaces what holds it back. One vertex update a step. The problem's rest mesh has a
 /// bounding-box diagonal of about 1.
 ///
-/// Approach → Tidy where nothing blocks. A locked approach splits edges at the handles that are
-/// not home and begins again; when that gains no more, transports are tried on a second mesh while
-/// mesh() stays the best one so far. Where targets move: Pursue → Tidy, and the approach only
-/// when that locks.
+/// Pursue → Tidy where nothing is in the way, Pursue → Approach → Tidy where something is. A locked
+/// approach splits edges at the handles that are not home and begins again; when that gains no
+/// more, other ways from the rest state are tried on a second mesh, an approach and transports,
+/// while mesh() stays the best one so far. Targets that
+/// move are pursued from the mesh as it is.
 class Foldless final : public Method {
  public:
   /// β per unit rest area: independent of the number of triangles, unlike the paper's.
@@ -34,33 +35,35 @@ class Foldless final : public Method {
   StageTimes times() const override { return work_.system.times; }
 
  private:
-  /// A transport on a mesh of its own.
+  /// Another way to the targets, on a mesh of its own.
   struct Attempt {
     Workspace work;
-    Transport transport;
+    std::variant<Approach, Transport> way;
   };
 
+  using Stage = std::variant<Approach, Attempt, Pursue, Tidy>;
+
+  Stage first_stage();
   std::optional<Iteration> advance(std::stop_token token);
   std::optional<Iteration> approach(Approach& stage, std::stop_token token);
-  std::optional<Iteration> transport(Attempt& attempt, std::stop_token token);
+  std::optional<Iteration> attempt(Attempt& attempt, std::stop_token token);
   std::optional<Iteration> pursue(Pursue& stage, std::stop_token token);
   std::optional<Iteration> settle(Tidy& stage, std::stop_token token);
   Iteration record(Workspace& work, const VertexUpdate& update, const Positions& positions);
   void after_locked_approach();
-  void begin_next_transport();
+  void begin_next_attempt();
   bool split();
 
-  MeshPair initial_;     ///< where transports start: its rest state
+  MeshPair initial_;     ///< where attempts start: its rest state
   int first_removable_;  ///< vertices of lower index stay
   EnergySettings energy_;
   Workspace work_;
-  std::variant<Approach, Attempt, Pursue, Tidy> stage_;
+  Stage stage_;
   std::optional<Outcome> outcome_;
   int inner_ = 0;
   int split_rounds_ = 0;
-  std::vector<TransportPlan> plans_;
-  std::size_t next_plan_ = 0;
-  double locked_error_ = 0;  ///< ‖P‖² when the approach locked last
+  std::size_t attempts_ = 0;  ///< since the targets moved
+  double locked_error_ = 0;   ///< ‖P‖² when the approach locked last
   double seconds_ = 0;
 };
 

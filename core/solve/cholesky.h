@@ -14,7 +14,7 @@ namespace foldless {
 class Cholesky {
  public:
   /// From this many unknowns on the supernodal factorization was measured to be faster.
-  static constexpr int kSupernodalFrom = 2000;
+  static constexpr int kSupernodalFrom = 800;
 
   Cholesky();
   ~Cholesky();

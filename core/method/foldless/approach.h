@@ -5,9 +5,9 @@
 
 namespace foldless {
 
-/// The first stage: minimises E under a penalty α that grows from weak to the paper's, so that the
-/// whole mesh follows the handles before they press on the triangles next to them. Arrives when the
-/// handles can be put exactly on their targets.
+/// The stage for handles that could not be carried home: minimises E under a penalty α that grows
+/// from weak to the paper's, so that the whole mesh follows the handles before they press on the
+/// triangles next to them. Arrives when the handles can be put exactly on their targets.
 class Approach {
  public:
   explicit Approach(Workspace& workspace);

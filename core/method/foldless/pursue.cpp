@@ -7,8 +7,8 @@ namespace foldless {
 namespace {
 
 /// A step that brings the handles less than this part of their way is short.
-constexpr double kShortCarry = 0.25;
-constexpr int kMostShortSteps = 2;
+constexpr double kShortCarry = 0.35;
+constexpr int kMostShortSteps = 3;
 
 }  // namespace
 

@@ -5,9 +5,10 @@
 
 namespace foldless {
 
-/// The stage of a drag, entered when targets move: the handles are carried to them by Newton steps
-/// that have their way on the right-hand side, mostly in one. Arrives when the handles are exactly
-/// on their targets. Locks when steps in a row gain little, with the handles that much nearer.
+/// The first stage, and that of a drag, entered when targets move: the handles are carried to them
+/// by Newton steps that have their way on the right-hand side, in one when it is short. Arrives
+/// when the handles are exactly on their targets. Locks when steps in a row gain little, with the
+/// handles that much nearer.
 class Pursue {
  public:
   explicit Pursue(const Workspace& workspace);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/settle.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/energy/conformal_square.h"
@@ -8,9 +9,10 @@
 namespace foldless {
 namespace {
 
-/// Converged: the quadratic model promises less than this part of E,
+/// Converged: the quadratic model promises less than this part of E, the more the nearer a full
+/// step was to Newton's, which leaves the less; at most
 constexpr double kSmallDecrement = 2e-4;
-/// or less than this, and the exact model was followed all the way: that squares what is left.
+/// after a full step with the exact ∇²E, which squares what is left.
 constexpr double kSmallDecrementOfNewton = 1e-2;
 constexpr double kSmallStep = 1e-9;
 constexpr int kMostSteps = 300;
@@ -20,9 +22,11 @@ constexpr double kGainOfFlips = 1e-2;
 constexpr int kMostFailures = 3;
 
 bool is_converged(const VertexUpdate& update, double energy) {
-  const bool is_newton = update.mu == 0 && update.step_length == 1;
-  return update.decrement <= (is_newton ? kSmallDecrementOfNewton : kSmallDecrement) * energy ||
-         update.step_infinity_norm < kSmallStep;
+  const bool is_full = update.step_length == 1 && update.mu == 0;
+  const double small = is_full
+                           ? std::min(kSmallDecrement / update.clamping, kSmallDecrementOfNewton)
+                           : kSmallDecrement;
+  return update.decrement <= small * energy || update.step_infinity_norm < kSmallStep;
 }
 
 /// K.

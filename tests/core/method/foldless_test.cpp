@@ -144,7 +144,7 @@ TEST(Foldless, IsValidOnRandomScenesWhateverIsCancelledAndResumed) {
     }
   }
   // The claim would be empty if a stage were never entered.
-  EXPECT_EQ(phases, (std::set{Phase::approach, Phase::transport, Phase::settle}));
+  EXPECT_EQ(phases, (std::set{Phase::approach, Phase::transport, Phase::pursue, Phase::settle}));
 }
 
 TEST(Foldless, ACopyGoesOnLikeTheOriginal) {
