@@ -106,8 +106,7 @@ std::optional<Iteration> Foldless::attempt(Attempt& attempt, std::stop_token tok
     work_.set_energy(energy_);
     stage_ = Tidy(work_, first_removable_);
   } else if (progress == Progress::locked) {
-    work_.take_counts(attempt.work);
-    begin_next_attempt();
+    after_locked_attempt(attempt);
   }
   return iteration;
 }
@@ -141,6 +140,20 @@ void Foldless::after_locked_approach() {
     stage_ = Approach(work_);
     return;
   }
+  begin_next_attempt();
+}
+
+void Foldless::after_locked_attempt(Attempt& attempt) {
+  const bool is_nearer = attempt.work.error() < work_.error();
+  if (is_nearer && std::holds_alternative<Transport>(attempt.way)) {
+    attempt.work.set_energy(energy_);
+    attempt.way = Approach(attempt.work);
+    return;
+  }
+  if (is_nearer)
+    work_ = std::move(attempt.work);
+  else
+    work_.take_counts(attempt.work);
   begin_next_attempt();
 }
 

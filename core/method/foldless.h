@@ -51,6 +51,7 @@ class Foldless final : public Method {
   std::optional<Iteration> settle(Tidy& stage, std::stop_token token);
   Iteration record(Workspace& work, const VertexUpdate& update, const Positions& positions);
   void after_locked_approach();
+  void after_locked_attempt(Attempt& attempt);
   void begin_next_attempt();
   bool split();
 
