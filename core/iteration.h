@@ -11,7 +11,7 @@ enum class Phase {
   relax,      ///< RelaxVertices of Algorithm 1 (4.2)
   approach,   ///< `foldless`: towards the targets under a growing penalty
   transport,  ///< `foldless`: handles carried along paths, the map's distortion forgotten
-  pursue,     ///< `foldless`: handles carried after targets that moved
+  pursue,     ///< `foldless`: handles carried to their targets, the mesh following
   settle      ///< `foldless`: at the targets, down to the minimum of the scene's energy
 };
 
