@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -29,16 +30,18 @@ bool is_wanted(const BenchCall& call, int index) {
   return call.only.empty() || std::ranges::find(call.only, index) != call.only.end();
 }
 
-std::vector<BenchScene> scenes_of(const BenchCall& call) {
+BenchScene scene_of(const std::filesystem::path& file) {
+  LoadedScene loaded = load_scene_file(file);
+  print_notices(loaded.notices);
+  return {file.stem().string(), "", std::move(loaded.scene)};
+}
+
+/// Those of `count` scenes that are wanted.
+std::vector<BenchScene> wanted(const BenchCall& call, std::size_t count,
+                               const std::function<BenchScene(int)>& scene) {
   std::vector<BenchScene> scenes;
-  for (int i = 0; call.suite == "random" && i < call.count; ++i)
-    if (is_wanted(call, i)) scenes.push_back(random_scene(call.seed, i));
-  for (std::size_t i = 0; i < call.scenes.size(); ++i) {
-    if (!is_wanted(call, static_cast<int>(i))) continue;
-    LoadedScene loaded = load_scene_file(call.scenes[i]);
-    print_notices(loaded.notices);
-    scenes.push_back({call.scenes[i].stem().string(), "", std::move(loaded.scene)});
-  }
+  for (int i = 0; i < static_cast<int>(count); ++i)
+    if (is_wanted(call, i)) scenes.push_back(scene(i));
   return scenes;
 }
 
@@ -146,24 +149,34 @@ Rows run_with_progress(const BenchCall& call, const std::vector<BenchJob>& jobs,
                    .finished = [&](const BenchRow& row) { progress.show(row); }});
 }
 
-void run_comparison(const BenchCall& call, const Interrupt& interrupt) {
-  const std::vector<BenchScene> scenes = scenes_of(call);
+/// Every method on every scene.
+Rows run_scenes(const BenchCall& call, const std::vector<BenchScene>& scenes,
+                const Interrupt& interrupt) {
   if (call.keep) keep_scenes(*call.keep, scenes);
-  const Rows rows = run_with_progress(call, jobs_of(call, scenes), interrupt);
-  print_comparison(rows);
+  return run_with_progress(call, jobs_of(call, scenes), interrupt);
+}
+
+void print_notes(const Rows& rows) {
   if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
+}
+
+void run_comparison(const BenchCall& call, const Interrupt& interrupt) {
+  const auto from_file = [&](int i) { return scene_of(call.scenes[static_cast<std::size_t>(i)]); };
+  const auto drawn = [&](int i) { return random_scene(call.seed, i); };
+  const std::vector<BenchScene> scenes =
+      call.suite == "random" ? wanted(call, static_cast<std::size_t>(call.count), drawn)
+                             : wanted(call, call.scenes.size(), from_file);
+  const Rows rows = run_scenes(call, scenes, interrupt);
+  print_comparison(rows);
+  print_notes(rows);
   if (call.folder) write_comparison(*call.folder, rows);
 }
 
 void run_scale(const BenchCall& call, const Interrupt& interrupt) {
-  std::vector<BenchScene> scenes;
-  for (int i = 0; i < kScaleScenes; ++i)
-    if (is_wanted(call, i)) scenes.push_back(scale_scene(i));
-  if (call.keep) keep_scenes(*call.keep, scenes);
-  const Rows rows = run_with_progress(call, jobs_of(call, scenes), interrupt);
+  const Rows rows = run_scenes(call, wanted(call, kScaleScenes, scale_scene), interrupt);
   std::cout << scale_table(rows).plain();
   std::cout << "\npeak memory of the process: " << number_text(peak_gibibytes()) << " GiB\n";
-  if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
+  print_notes(rows);
   if (!call.folder) return;
   write_rows(*call.folder, rows);
   write_file_atomically(*call.folder / "summary.md", scale_table(rows).markdown());
@@ -177,13 +190,12 @@ void write_drags(const std::filesystem::path& folder, const Rows& rows) {
 }
 
 void run_drags(const BenchCall& call, const Interrupt& interrupt) {
-  std::vector<BenchScene> drags = drag_suite();
-  for (int i = static_cast<int>(drags.size()) - 1; i >= 0; --i)
-    if (!is_wanted(call, i)) drags.erase(drags.begin() + i);
-  if (call.keep) keep_scenes(*call.keep, drags);
-  const Rows rows = run_with_progress(call, jobs_of(call, drags), interrupt);
+  const std::vector<BenchScene> drags = drag_suite();
+  const Rows rows = run_scenes(
+      call, wanted(call, drags.size(), [&](int i) { return drags[static_cast<std::size_t>(i)]; }),
+      interrupt);
   std::cout << drag_table(rows).plain();
-  if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
+  print_notes(rows);
   if (call.folder) write_drags(*call.folder, rows);
 }
 
@@ -208,7 +220,7 @@ void run_paper(const BenchCall& call, const Interrupt& interrupt) {
     std::cerr << "foldless: note: this program has no method " << method << "; left out\n";
   const Rows rows = run_with_progress(call, suite.jobs, interrupt);
   std::cout << table1(suite, rows).plain();
-  if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
+  print_notes(rows);
   if (call.folder) write_paper(*call.folder, suite, rows);
 }
 
