@@ -12,9 +12,8 @@
 namespace foldless {
 namespace {
 
-// The derivatives by the corners are those by vec(J) through J = Σ_j u_j ∇φ_jᵀ: a pair of rows of
-// vec(J) for each column c of J, a pair of rows of the corners for each corner j, joined by ∂_c
-// φ_j.
+// The derivatives by the corners are those by vec(J) through J = Σ_j u_j ∇φ_jᵀ: the pair of rows
+// of column c of J and the pair of rows of corner j are joined by ∂_c φ_j.
 
 Eigen::Matrix<double, 6, 1> gradient_by_corners(const RestElement& rest,
                                                 const Eigen::Vector4d& gradient) {

@@ -18,8 +18,7 @@ namespace foldless {
 /// Pursue → Tidy where nothing is in the way, Pursue → Approach → Tidy where something is. A locked
 /// approach splits edges at the handles that are not home and begins again; when that gains no
 /// more, other ways from the rest state are tried on a second mesh, an approach and transports,
-/// while mesh() stays the best one so far. Targets that
-/// move are pursued from the mesh as it is.
+/// while mesh() stays the best one so far. Targets that move are pursued from the mesh as it is.
 class Foldless final : public Method {
  public:
   /// β per unit rest area: independent of the number of triangles, unlike the paper's.

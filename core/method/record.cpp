@@ -7,7 +7,8 @@ namespace foldless {
 
 Iteration record_of(const VertexUpdate& update, const NewtonSystem& system, const MeshPair& mesh,
                     const Positions& positions) {
-  const EnergyTerms& terms = system.energy();
+  EnergyTerms terms = system.energy();
+  terms.penalty = system.objective().settings().alpha * penalty(positions, mesh.deformed());
   const Quality quality = quality_of(mesh.triangles(), mesh.rest(), mesh.deformed());
   Iteration iteration;
   iteration.distortion_energy = terms.distortion;
