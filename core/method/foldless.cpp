@@ -60,6 +60,7 @@ std::unique_ptr<Method> Foldless::clone() const { return std::make_unique<Foldle
 
 void Foldless::set_targets(const Points& targets) {
   work_.positions.targets = targets;
+  is_drag_ = true;
   stage_ = first_stage();
   split_rounds_ = 0;
   attempts_ = 0;
@@ -118,7 +119,7 @@ std::optional<Iteration> Foldless::pursue(Pursue& stage, std::stop_token token) 
   Iteration iteration = record(work_, update, stage.positions());
   iteration.phase = Phase::pursue;
   if (progress == Progress::arrived) stage_ = Tidy(work_, first_removable_);
-  if (progress == Progress::locked) stage_ = Approach(work_);
+  if (progress == Progress::locked) after_locked_pursuit();
   return iteration;
 }
 
@@ -130,6 +131,16 @@ std::optional<Iteration> Foldless::settle(Tidy& stage, std::stop_token token) {
   iteration.phase = Phase::settle;
   if (progress != Progress::running) outcome_ = Outcome::gradient;
   return iteration;
+}
+
+// Triangles that a pursuit pressed together lead to poor minima. The mesh of a drag goes on from
+// where it is, for somebody looks at it.
+void Foldless::after_locked_pursuit() {
+  if (!is_drag_) {
+    work_.set_mesh(initial_);
+    attempts_ = 1;  // an approach from rest
+  }
+  stage_ = Approach(work_);
 }
 
 void Foldless::after_locked_approach() {

@@ -15,7 +15,7 @@ namespace foldless {
 /// replaces what holds it back. One vertex update a step. The problem's rest mesh has a
 /// bounding-box diagonal of about 1.
 ///
-/// Pursue → Tidy where nothing is in the way, Pursue → Approach → Tidy where something is. A locked
+/// Pursue → Tidy where nothing is in the way; else Approach → Tidy, from the beginning. A locked
 /// approach splits edges at the handles that are not home and begins again; when that gains no
 /// more, other ways from the rest state are tried on a second mesh, an approach and transports,
 /// while mesh() stays the best one so far. Targets that move are pursued from the mesh as it is.
@@ -49,13 +49,15 @@ class Foldless final : public Method {
   std::optional<Iteration> pursue(Pursue& stage, std::stop_token token);
   std::optional<Iteration> settle(Tidy& stage, std::stop_token token);
   Iteration record(Workspace& work, const VertexUpdate& update, const Positions& positions);
+  void after_locked_pursuit();
   void after_locked_approach();
   void after_locked_attempt(Attempt& attempt);
   void begin_next_attempt();
   bool split();
 
-  MeshPair initial_;     ///< where attempts start: its rest state
-  int first_removable_;  ///< vertices of lower index stay
+  MeshPair initial_;      ///< where attempts start: its rest state
+  bool is_drag_ = false;  ///< targets moved since the beginning
+  int first_removable_;   ///< vertices of lower index stay
   EnergySettings energy_;
   Workspace work_;
   Stage stage_;
