@@ -17,6 +17,12 @@ bool has_long_halves(const Points& points, const Edge& edge, double at, double s
   return std::min(at, 1 - at) * length >= shortest;
 }
 
+bool is_fixed(const MeshPair& mesh, int edge, std::span<const int> fixed_boundary) {
+  return mesh.is_boundary_edge(edge) && std::ranges::all_of(mesh.edge(edge), [&](int v) {
+           return std::ranges::binary_search(fixed_boundary, v);
+         });
+}
+
 /// A triangle between one end of the edge, the new vertex and an apex, in both meshes.
 struct NewTriangle {
   Eigen::Matrix<double, 2, 3> rest, deformed;
@@ -61,7 +67,9 @@ int split_edges(MeshPair& mesh, const std::vector<MovingDirection>& directions,
     // Splitting one edge renames none of the others, so the list stays good.
     for (const EdgeSplit& split : blockage->splits) {
       if (splits >= settings.most_splits) return splits;
-      if (!is_split_safe(mesh, split, settings)) continue;
+      if (is_fixed(mesh, split.edge, settings.fixed_boundary) ||
+          !is_split_safe(mesh, split, settings))
+        continue;
       mesh.split_edge(split.edge, split.at);
       ++splits;
     }

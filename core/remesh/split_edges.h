@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/remesh/blockage.h"
@@ -15,9 +16,10 @@ struct MovingDirection {
 
 /// Bounds on what a call of split_edges() may do.
 struct SplitSettings {
-  double shortest_edge = 1e-5;  ///< no half becomes shorter, in either mesh [length]
-  double delta = 1e-5;          ///< bound of eq. 4, which rounding must not break
-  int most_splits = 64;         ///< a call
+  double shortest_edge = 1e-5;               ///< no half becomes shorter, in either mesh [length]
+  double delta = 1e-5;                       ///< bound of eq. 4, which rounding must not break
+  int most_splits = 64;                      ///< a call
+  std::span<const int> fixed_boundary = {};  ///< sorted vertices whose boundary edges stay
 };
 
 /// True when the edge may be split there: no half becomes too short in either mesh, and rounding

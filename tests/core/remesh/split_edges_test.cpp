@@ -153,5 +153,16 @@ TEST(SplitEdges, SplitsABoundaryEdgeToo) {
   EXPECT_EQ(mesh.edge(mesh.find_edge(1, 4).value()), (Edge{1, 4}));
 }
 
+TEST(SplitEdges, LeavesBoundaryEdgesBetweenFixedVertices) {
+  const test::Fixture square = test::unit_square();
+  const auto splits_with = [&](const std::vector<int>& fixed_boundary) {
+    MeshPair mesh(square.triangles, square.rest);
+    return split_edges(mesh, {{0, Vec2(1, 0.4)}}, {.fixed_boundary = fixed_boundary});
+  };
+  EXPECT_EQ(splits_with({}), 1);
+  EXPECT_EQ(splits_with({2, 3}), 1);
+  EXPECT_EQ(splits_with({1, 2}), 0) << "the edge in the way";
+}
+
 }  // namespace
 }  // namespace foldless
