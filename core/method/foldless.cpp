@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/method/foldless/infeasible.h"
 #include "core/method/foldless/transport_plans.h"
 #include "core/method/record.h"
+#include "core/method/satisfied.h"
 
 namespace foldless {
 namespace {
 
-constexpr double kShortestEdge = 1e-5;
 constexpr double kOffTarget = 1e-6;
 constexpr int kMostSplitRounds = 3;
 constexpr double kGainOfASplitRound = 0.9;
@@ -47,7 +48,9 @@ Foldless::Foldless(Problem problem)
       first_removable_(first_removable_vertex(problem)),
       energy_(own_energy(problem)),
       work_(workspace_of(problem.mesh, problem, energy_)),
+      held_regions_(foldless::held_regions(initial_, work_.positions)),
       stage_(first_stage()) {
+  work_.fixed_boundary = boundary_vertices(held_regions_, work_.positions);
   if (work_.system.objective().unknowns().count() == 0) outcome_ = Outcome::gradient;
 }
 
@@ -61,6 +64,7 @@ std::unique_ptr<Method> Foldless::clone() const { return std::make_unique<Foldle
 void Foldless::set_targets(const Points& targets) {
   work_.positions.targets = targets;
   is_drag_ = true;
+  verdict_.clear();
   stage_ = first_stage();
   split_rounds_ = 0;
   attempts_ = 0;
@@ -145,6 +149,7 @@ void Foldless::after_locked_pursuit() {
 
 void Foldless::after_locked_approach() {
   const double error = work_.error();
+  if (!is_satisfied(error) && prove_infeasible()) return;
   const bool may_split = split_rounds_ == 0 || error < kGainOfASplitRound * locked_error_;
   locked_error_ = error;
   if (may_split && split_rounds_++ < kMostSplitRounds && split()) {
@@ -152,6 +157,20 @@ void Foldless::after_locked_approach() {
     return;
   }
   begin_next_attempt();
+}
+
+// Handles within the tolerance of a target that is exactly out of reach are at it.
+bool Foldless::is_satisfied(double error) const {
+  const double diagonal = bounding_box_diagonal(initial_.rest());
+  return error <= kSatisfied * diagonal * diagonal;
+}
+
+bool Foldless::prove_infeasible() {
+  const std::optional<std::string> why = why_infeasible(held_regions_, work_.positions);
+  if (!why) return false;
+  outcome_ = Outcome::infeasible;
+  verdict_ = *why;
+  return true;
 }
 
 void Foldless::after_locked_attempt(Attempt& attempt) {
@@ -197,8 +216,7 @@ bool Foldless::split() {
     if (!work_.positions.soft[row] && direction.norm() > kOffTarget)
       directions.push_back({v, direction});
   }
-  return work_.split_edges(directions, {.shortest_edge = kShortestEdge, .delta = energy_.delta}) >
-         0;
+  return work_.split_edges(directions) > 0;
 }
 
 Iteration Foldless::record(Workspace& work, const VertexUpdate& update,

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "core/method/foldless/approach.h"
+#include "core/method/foldless/held_regions.h"
 #include "core/method/foldless/pursue.h"
 #include "core/method/foldless/tidy.h"
 #include "core/method/foldless/transport.h"
@@ -19,6 +22,10 @@ namespace foldless {
 /// approach splits edges at the handles that are not home and begins again; when that gains no
 /// more, other ways from the rest state are tried on a second mesh, an approach and transports,
 /// while mesh() stays the best one so far. Targets that move are pursued from the mesh as it is.
+///
+/// Where the whole boundary of a component is held its edges are not split, and an approach that
+/// locks ends as Outcome::infeasible if why_infeasible() has a proof, with its sentence for
+/// verdict(); the mesh is as near as the approach brought it.
 class Foldless final : public Method {
  public:
   /// β per unit rest area: independent of the number of triangles, unlike the paper's.
@@ -29,6 +36,7 @@ class Foldless final : public Method {
   std::unique_ptr<Method> clone() const override;
   std::optional<Iteration> step(std::stop_token token) override;
   std::optional<Outcome> outcome() const override { return outcome_; }
+  std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return work_.mesh; }
   void set_targets(const Points& targets) override;
   StageTimes times() const override { return work_.system.times; }
@@ -54,14 +62,18 @@ class Foldless final : public Method {
   void after_locked_attempt(Attempt& attempt);
   void begin_next_attempt();
   bool split();
+  bool is_satisfied(double error) const;
+  bool prove_infeasible();
 
   MeshPair initial_;      ///< where attempts start: its rest state
   bool is_drag_ = false;  ///< targets moved since the beginning
   int first_removable_;   ///< vertices of lower index stay
   EnergySettings energy_;
   Workspace work_;
+  std::vector<HeldRegion> held_regions_;  ///< of initial_
   Stage stage_;
   std::optional<Outcome> outcome_;
+  std::string verdict_;
   int inner_ = 0;
   int split_rounds_ = 0;
   std::size_t attempts_ = 0;  ///< since the targets moved

@@ -17,7 +17,6 @@ constexpr double kArrived = 0.3;
 /// A stride gains when the handles come nearer to its end by this part.
 constexpr double kGain = 0.3;
 constexpr int kMostStridesWithoutGain = 6;
-constexpr double kShortestEdge = 1e-5;
 /// ‖P‖²/D² from which the handles may be put on their targets by themselves.
 constexpr double kNearEnough = 1e-4;
 
@@ -130,8 +129,7 @@ void Transport::split_ahead(Workspace& workspace) {
     const Vec2 direction = aimed_.targets.col(i) - workspace.mesh.deformed().col(v);
     if (direction.norm() > kArrived * plan_.stride * 0.5) directions.push_back({v, direction});
   }
-  workspace.split_edges(directions, {.shortest_edge = kShortestEdge,
-                                     .delta = workspace.system.objective().settings().delta});
+  workspace.split_edges(directions);
 }
 
 }  // namespace foldless

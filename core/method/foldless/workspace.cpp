@@ -10,6 +10,9 @@ namespace {
 constexpr double kShortStep = 0.5;
 constexpr int kStepsBetweenFlips = 3;
 
+/// No split makes an edge shorter than this. [D]
+constexpr double kShortestEdge = 1e-5;
+
 /// E_d + E_b may grow by this factor when handles are put on their targets.
 constexpr double kGrowthOfASnap = 1.5;
 
@@ -37,9 +40,11 @@ int Workspace::flip_edges() {
   return flipped;
 }
 
-int Workspace::split_edges(const std::vector<MovingDirection>& directions,
-                           const SplitSettings& settings) {
-  const int split = foldless::split_edges(mesh, directions, settings);
+int Workspace::split_edges(const std::vector<MovingDirection>& directions) {
+  const int split = foldless::split_edges(mesh, directions,
+                                          {.shortest_edge = kShortestEdge,
+                                           .delta = system.objective().settings().delta,
+                                           .fixed_boundary = fixed_boundary});
   if (split > 0) system.rebuild(mesh, positions, split);
   splits += split;
   return split;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stop_token>
+#include <vector>
 
 #include "core/energy/positions.h"
 #include "core/mesh/mesh_pair.h"
@@ -28,8 +29,9 @@ struct Workspace {
   MeshPair mesh;
   Positions positions;  ///< with the real targets
   NewtonSystem system;
-  double eta;           ///< least relative gain of a flip
-  bool condition_test;  ///< cancel flips that raise cond
+  double eta;                            ///< least relative gain of a flip
+  bool condition_test;                   ///< cancel flips that raise cond
+  std::vector<int> fixed_boundary = {};  ///< sorted vertices whose boundary edges are not split
   CurvatureChoice curvature = {};
   int flips = 0;
   int splits = 0;
@@ -41,7 +43,8 @@ struct Workspace {
   /// few steps.
   VertexUpdate descend(const Positions& aimed, std::stop_token token);
   int flip_edges();
-  int split_edges(const std::vector<MovingDirection>& directions, const SplitSettings& settings);
+  /// Splits the edges in the way; returns how many. See split_edges() of core/remesh.
+  int split_edges(const std::vector<MovingDirection>& directions);
   /// Returns how many vertices were removed; see collapse_edges() of core/remesh.
   int collapse_edges(const CollapseSettings& settings);
   /// Takes another mesh with the same handle vertices.

@@ -152,6 +152,26 @@ TEST(Solve, EndsWithOneWhenHandlesAreNotReached) {
   EXPECT_EQ(report["updates"], 1);
 }
 
+TEST(Solve, SaysWhyWhenItIsProvedThatHandlesCannotBeReached) {
+  const TemporaryFolder folder;
+  Problem problem = grid_problem(5, Vec2(4, 4));
+  problem.handles = {{.id = 1, .vertex = 12, .target = Vec2(6, 2)}};
+  for (int v = 0; v < 25; ++v)
+    if (problem.mesh.is_boundary_vertex(v))
+      problem.handles.push_back({.id = v + 2, .vertex = v, .target = problem.mesh.rest().col(v)});
+  write_scene(folder / "scene.json", problem);
+  const Ended ended = test::run({"solve", folder / "scene.json", "-o", folder / "out"});
+  EXPECT_EQ(ended.status, 1);
+  const std::string why = "infeasible: vertex 12 is to go out of the held boundary, or onto it";
+  EXPECT_NE(ended.out.find("handles are not all reached (" + why + ")"), std::string::npos)
+      << ended.out;
+  const json report = json::parse(read_text(folder / "out/report.json"));
+  EXPECT_EQ(report["outcome"], "infeasible");
+  EXPECT_EQ(report["verdict"], why);
+  EXPECT_EQ(report["satisfied"], false);
+  expect_valid_results(folder / "out");
+}
+
 TEST(Solve, OptionsOverrideTheScene) {
   const TemporaryFolder folder;
   write_scene(folder / "scene.json", flipping_problem());

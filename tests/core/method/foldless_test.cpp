@@ -65,6 +65,23 @@ Problem trading_places(std::uint64_t seed) {
   return grid_problem(handles);
 }
 
+bool is_on_boundary(int v) { return v % 9 == 0 || v % 9 == 8 || v < 9 || v >= 72; }
+
+/// The boundary of the grid held, but for `but`, and other vertices moved.
+Problem held_grid(const std::vector<std::pair<int, Vec2>>& moved, int but = -1) {
+  std::vector<std::pair<int, Vec2>> handles = moved;
+  for (int v = 0; v < 81; ++v)
+    if (is_on_boundary(v) && v != but) handles.emplace_back(v, Vec2(0, 0));
+  return grid_problem(handles);
+}
+
+/// True when the boundary has the vertices of the grid and no others.
+bool has_boundary_of_the_grid(const MeshPair& mesh) {
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    if (mesh.is_boundary_vertex(v) != (v < 81 && is_on_boundary(v))) return false;
+  return true;
+}
+
 /// Runs to the end; every mesh on the way is proved.
 std::set<Phase> run(Foldless& method, int most_steps = 3000) {
   std::set<Phase> phases;
@@ -170,6 +187,66 @@ TEST(Foldless, NewTargetsStartFromTheMeshAsItIs) {
   run(method);
   ASSERT_EQ(method.outcome(), Outcome::gradient);
   EXPECT_EQ(Vec2(method.mesh().deformed().col(80)), Vec2(targets.col(1)));
+}
+
+TEST(Foldless, AHandleThatIsToLeaveTheHeldBoundaryIsProvedInfeasible) {
+  Foldless method(held_grid({{40, {0.6, 0.05}}}));
+  EXPECT_EQ(method.verdict(), "");
+  run(method);
+  EXPECT_EQ(method.outcome(), Outcome::infeasible);
+  EXPECT_EQ(method.verdict(),
+            "infeasible: vertex 40 is to go out of the held boundary, or onto it");
+  EXPECT_TRUE(has_boundary_of_the_grid(method.mesh()));
+  EXPECT_GT(method.mesh().deformed()(0, 40), 0.6) << "it is brought near";
+}
+
+TEST(Foldless, HandlesThatAreToMeetInsideTheHeldBoundaryAreProvedInfeasible) {
+  Problem problem = held_grid({{40, {0, 0}}, {41, {0, 0}}});
+  problem.handles[1].target = problem.handles[0].target;
+  Foldless method(std::move(problem));
+  run(method);
+  EXPECT_EQ(method.outcome(), Outcome::infeasible);
+  EXPECT_TRUE(method.verdict().starts_with("infeasible: vertices 40 and 41 ")) << method.verdict();
+}
+
+TEST(Foldless, NothingIsProvedWhereAVertexOfTheBoundaryIsFree) {
+  Foldless method(held_grid({{40, {0.6, 0.05}}}, 44));
+  run(method);
+  EXPECT_EQ(method.outcome(), Outcome::gradient) << "the boundary bends";
+  EXPECT_EQ(method.verdict(), "");
+}
+
+TEST(Foldless, TargetsThatComeBackWithinReachAreReached) {
+  const Problem problem = held_grid({{40, {0.6, 0.05}}});
+  Points targets = positions_of(problem.handles).targets;
+  Foldless method(problem);
+  run(method);
+  ASSERT_EQ(method.outcome(), Outcome::infeasible);
+  for (const double x : {0.9, 0.6, 0.8, 0.4}) {
+    targets.col(0) = Vec2(x, 0.3);
+    method.set_targets(targets);
+    EXPECT_FALSE(method.outcome());
+    EXPECT_EQ(method.verdict(), "");
+    run(method);
+    ASSERT_EQ(method.outcome(), x < 0.7 ? Outcome::gradient : Outcome::infeasible) << x;
+  }
+  EXPECT_EQ(Vec2(method.mesh().deformed().col(40)), Vec2(0.4, 0.3));
+  EXPECT_EQ(method.verdict(), "");
+}
+
+TEST(Foldless, TheHeldBoundaryIsNotSplit) {
+  int splits = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    if (seed % 3 == 0) continue;
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Foldless method(trading_places(seed));
+    for (int step = 0; step < 400 && !method.outcome(); ++step) {
+      if (const auto iteration = method.step({})) splits = std::max(splits, iteration->splits);
+      ASSERT_TRUE(has_boundary_of_the_grid(method.mesh())) << "step " << step;
+    }
+    EXPECT_NE(method.outcome(), Outcome::infeasible) << method.verdict();
+  }
+  EXPECT_GT(splits, 0) << "the claim would be empty";
 }
 
 /// The grid problem after somebody split the first edges of its mesh; handles may sit on the new
