@@ -10,6 +10,7 @@
 namespace foldless {
 namespace {
 
+/// Some tenths of a second, which only regions with ten thousand corners could exceed.
 constexpr std::size_t kMostEdgeTests = 50'000'000;
 
 /// A region with the targets of its handles.
@@ -111,7 +112,7 @@ class Prescribed {
   const HeldRegion& region_;
   const Positions& positions_;
   std::vector<Points> polygons_;  ///< P
-  std::vector<int> corners_;      ///< handles
+  std::vector<int> corners_;      ///< handles, in the order of the loops
   std::size_t most_points_;       ///< that a criterion looks at
 };
 

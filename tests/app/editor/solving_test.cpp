@@ -58,15 +58,11 @@ TEST_F(Solving, HandlesThatCannotGetThereAreBlocked) {
 }
 
 TEST_F(Solving, SaysThatHandlesAreLockedWhileFoldlessSplitsEdgesOrTriesAWayRound) {
-  Shape shape{Triangles(3, 1), Points(2, 3)};
-  shape.triangles << 0, 1, 2;
-  shape.rest << 0, 1, 0, 0, 0, 1;
-  editor_->open_shape(std::move(shape), "triangle");
   editor_->set_method("foldless");
-  for (const int vertex : {0, 1, 2}) place(vertex);
+  for (const int vertex : {14, 15}) place(vertex);
   settle();
   editor_->set_pace(60);
-  drag(pixel_of_vertex(2), pixel_of(Vec2(0, -1)));  // would turn the triangle over
+  drag(pixel_of_vertex(15), pixel_of_vertex(14));  // no room for both
   const auto says_so = [&] {
     return editor_->status().words.find("handles are locked") != std::string::npos;
   };
@@ -74,6 +70,26 @@ TEST_F(Solving, SaysThatHandlesAreLockedWhileFoldlessSplitsEdgesOrTriesAWayRound
   EXPECT_TRUE(says_so()) << editor_->status().words;
   EXPECT_EQ(editor_->status().kind, StatusKind::solving);
   EXPECT_TRUE(is_valid());
+}
+
+TEST_F(Solving, SaysWhyTargetsCannotBeReachedWhereTheWholeBoundaryIsHeld) {
+  Shape shape{Triangles(3, 1), Points(2, 3)};
+  shape.triangles << 0, 1, 2;
+  shape.rest << 0, 1, 0, 0, 0, 1;
+  editor_->open_shape(std::move(shape), "triangle");
+  editor_->set_method("foldless");
+  for (const int vertex : {0, 1, 2}) place(vertex);
+  settle();
+  const Vec2 home = pixel_of_vertex(2), away = pixel_of(Vec2(0, -1));
+  drag(home, away);  // would turn the triangle over
+  settle();
+  EXPECT_EQ(editor_->status().kind, StatusKind::blocked);
+  EXPECT_EQ(editor_->status().words,
+            "Infeasible: the held boundary with vertex 0 is to go the wrong way round");
+  EXPECT_TRUE(is_valid());
+  drag(away, home);
+  settle();
+  EXPECT_EQ(editor_->status().words, "Converged");
 }
 
 TEST_F(Solving, SpaceTapPausesAndResumes) {
