@@ -23,6 +23,7 @@ std::string_view name_of(Phase phase) {
     case Phase::transport: return "transport";
     case Phase::pursue: return "pursue";
     case Phase::settle: return "settle";
+    case Phase::coarse: return "coarse";
   }
   return "";
 }

@@ -12,7 +12,8 @@ enum class Phase {
   approach,   ///< `foldless`: towards the targets under a growing penalty
   transport,  ///< `foldless`: handles carried along paths, the map's distortion forgotten
   pursue,     ///< `foldless`: handles carried to their targets, the mesh following
-  settle      ///< `foldless`: at the targets, down to the minimum of the scene's energy
+  settle,     ///< `foldless`: at the targets, down to the minimum of the scene's energy
+  coarse      ///< `foldless`: one of these on a coarser mesh, from which the mesh will begin
 };
 
 /// How a run ended.

@@ -52,6 +52,8 @@ Foldless::Foldless(Problem problem)
       stage_(first_stage()) {
   work_.fixed_boundary = boundary_vertices(held_regions_, work_.positions);
   if (work_.system.objective().unknowns().count() == 0) outcome_ = Outcome::gradient;
+  if (std::optional<Coarse> coarse; work_.error() > 0 && (coarse = Coarse::of(problem)))
+    stage_ = std::move(*coarse);
 }
 
 Foldless::Stage Foldless::first_stage() {
@@ -83,6 +85,7 @@ std::optional<Iteration> Foldless::step(std::stop_token token) {
 std::optional<Iteration> Foldless::advance(std::stop_token token) {
   if (auto* stage = std::get_if<Approach>(&stage_)) return approach(*stage, token);
   if (auto* stage = std::get_if<Attempt>(&stage_)) return attempt(*stage, token);
+  if (auto* stage = std::get_if<Coarse>(&stage_)) return coarse(*stage, token);
   if (auto* stage = std::get_if<Pursue>(&stage_)) return pursue(*stage, token);
   return settle(std::get<Tidy>(stage_), token);
 }
@@ -113,6 +116,17 @@ std::optional<Iteration> Foldless::attempt(Attempt& attempt, std::stop_token tok
   } else if (progress == Progress::locked) {
     after_locked_attempt(attempt);
   }
+  return iteration;
+}
+
+std::optional<Iteration> Foldless::coarse(Coarse& stage, std::stop_token token) {
+  Iteration iteration;
+  const Progress progress = stage.step(work_, token, iteration);
+  if (progress == Progress::cancelled) return std::nullopt;
+  inner_ = iteration.inner;
+  if (progress == Progress::arrived) iteration = record(work_, {}, work_.positions);
+  iteration.phase = Phase::coarse;
+  if (progress != Progress::running) stage_ = first_stage();
   return iteration;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/method/foldless/approach.h"
+#include "core/method/foldless/coarse.h"
 #include "core/method/foldless/held_regions.h"
 #include "core/method/foldless/pursue.h"
 #include "core/method/foldless/tidy.h"
@@ -48,12 +49,13 @@ class Foldless final : public Method {
     std::variant<Approach, Transport> way;
   };
 
-  using Stage = std::variant<Approach, Attempt, Pursue, Tidy>;
+  using Stage = std::variant<Approach, Attempt, Coarse, Pursue, Tidy>;
 
   Stage first_stage();
   std::optional<Iteration> advance(std::stop_token token);
   std::optional<Iteration> approach(Approach& stage, std::stop_token token);
   std::optional<Iteration> attempt(Attempt& attempt, std::stop_token token);
+  std::optional<Iteration> coarse(Coarse& stage, std::stop_token token);
   std::optional<Iteration> pursue(Pursue& stage, std::stop_token token);
   std::optional<Iteration> settle(Tidy& stage, std::stop_token token);
   Iteration record(Workspace& work, const VertexUpdate& update, const Positions& positions);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/remesh/coarsen.h"
+
+namespace foldless {
+
+/// For every vertex of a fine mesh the triangle of the coarse one that holds it at rest, to
+/// rounding; −1 for vertices that no triangle uses. The meshes have one rest domain, which may lie
+/// over itself: the search follows the edges of the fine mesh from the vertices that both have.
+std::vector<int> holding_triangles(const CoarseMesh& coarse, const MeshPair& fine);
+
+}  // namespace foldless
