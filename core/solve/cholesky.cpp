@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/solve/symbolic_factor.h"
+
 /// CHOLMOD opens a parallel region for every few columns, and libgomp makes a team for each, even
 /// of one thread: half of the time of a factorization. This definition comes before libgomp's: the
 /// region runs on the calling thread, outside of any team.
@@ -26,25 +28,6 @@ namespace {
 std::unique_lock<std::mutex> lock_blas(const cholmod_factor& factor) {
   static std::mutex one_caller;
   return factor.is_super ? std::unique_lock(one_caller) : std::unique_lock<std::mutex>();
-}
-
-/// A view of our arrays as a CHOLMOD matrix, lower triangle, nothing copied.
-cholmod_sparse view(int size, const std::vector<int>& start, const std::vector<int>& row,
-                    const double* value) {
-  cholmod_sparse m{};
-  m.nrow = m.ncol = static_cast<std::size_t>(size);
-  m.nzmax = row.size();
-  // CHOLMOD takes pointers to non-const and does not write through them.
-  m.p = const_cast<int*>(start.data());
-  m.i = const_cast<int*>(row.data());
-  m.x = const_cast<double*>(value);
-  m.stype = -1;
-  m.itype = CHOLMOD_INT;
-  m.xtype = value ? CHOLMOD_REAL : CHOLMOD_PATTERN;
-  m.dtype = CHOLMOD_DOUBLE;
-  m.sorted = 1;
-  m.packed = 1;
-  return m;
 }
 
 }  // namespace
@@ -80,7 +63,7 @@ struct Cholesky::State {
   cholmod_dense* solution = nullptr;
   cholmod_dense* work_y = nullptr;
   cholmod_dense* work_e = nullptr;
-  std::vector<int> ordering;  ///< of the unknowns
+  std::vector<int> ordering;  ///< of the nodes
   // The matrix in the order of the factor, made once a pattern: CHOLMOD by itself would transpose
   // the matrix twice for every factorization.
   std::vector<int> start, row;
@@ -92,14 +75,9 @@ struct Cholesky::State {
 
 /// AMD on the vertex graph, a quarter of the work of AMD on the unknowns and as good.
 void Cholesky::State::order(const SparseSymmetric& matrix) {
-  std::vector<int> vertices(static_cast<std::size_t>(matrix.nodes));
-  cholmod_sparse graph = view(matrix.nodes, matrix.graph_start, matrix.graph, nullptr);
-  if (!cholmod_amd(&graph, nullptr, 0, vertices.data(), &common)) throw std::bad_alloc();
-  ordering.resize(static_cast<std::size_t>(matrix.size()));
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    ordering[2 * k] = 2 * vertices[k];
-    ordering[2 * k + 1] = 2 * vertices[k] + 1;
-  }
+  ordering.resize(static_cast<std::size_t>(matrix.nodes));
+  cholmod_sparse graph = view_of_graph(matrix);
+  if (!cholmod_amd(&graph, nullptr, 0, ordering.data(), &common)) throw std::bad_alloc();
 }
 
 /// Supernodal factorizations read the lower triangle as it is, simplicial ones the upper.
@@ -130,16 +108,23 @@ void Cholesky::State::permute_pattern(const SparseSymmetric& matrix) {
     place[k] = next[column]++;
     row[static_cast<std::size_t>(place[k])] = r;
   });
-  factor->ordering = CHOLMOD_NATURAL;
 }
 
 cholmod_sparse Cholesky::State::permuted(const SparseSymmetric& matrix) {
   value.resize(matrix.value.size());
   for (std::size_t k = 0; k < place.size(); ++k)
     value[static_cast<std::size_t>(place[k])] = matrix.value[k];
-  cholmod_sparse m = view(matrix.size(), start, row, value.data());
+  cholmod_sparse m{};
+  m.nrow = m.ncol = static_cast<std::size_t>(matrix.size());
+  m.nzmax = row.size();
+  m.p = start.data();
+  m.i = row.data();
+  m.x = value.data();
   m.stype = factor->is_super ? -1 : 1;
-  m.sorted = 0;
+  m.itype = CHOLMOD_INT;
+  m.xtype = CHOLMOD_REAL;
+  m.dtype = CHOLMOD_DOUBLE;
+  m.packed = 1;
   return m;
 }
 
@@ -156,14 +141,12 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 void Cholesky::analyze(const SparseSymmetric& matrix, bool keep_ordering) {
   State& s = *state_;
   s.factorized = false;
-  const auto size = static_cast<std::size_t>(matrix.size());
-  if (!keep_ordering || s.ordering.size() != size) s.order(matrix);
+  if (!keep_ordering || s.ordering.size() != static_cast<std::size_t>(matrix.nodes))
+    s.order(matrix);
   s.common.supernodal =
       matrix.size() >= Cholesky::kSupernodalFrom ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
   cholmod_free_factor(&s.factor, &s.common);
-  cholmod_sparse a = view(matrix.size(), matrix.column_start, matrix.row, matrix.value.data());
-  s.factor = cholmod_analyze_p(&a, s.ordering.data(), nullptr, 0, &s.common);
-  if (!s.factor) throw std::bad_alloc();
+  s.factor = symbolic_factor(matrix, s.ordering, s.common);
   s.permute_pattern(matrix);
 }
 
