@@ -40,34 +40,46 @@ Eigen::Matrix4d singular_frame(const Mat2& J) {
   return frame;
 }
 
-/// Takes the part `clamping` of a negative eigenvalue away from the symmetric block of rows and
-/// columns i and j. False when it has none.
-bool clamp_block(Eigen::Matrix4d& matrix, int i, int j, double clamping) {
-  const double middle = 0.5 * (matrix(i, i) + matrix(j, j));
-  const double half_difference = 0.5 * (matrix(i, i) - matrix(j, j));
-  const double radius = std::sqrt(half_difference * half_difference + matrix(i, j) * matrix(i, j));
+/// The symmetric block of rows and columns i and j of Fᵀ H F, which is what is left of H in two
+/// columns of the frame F.
+struct Block {
+  Eigen::Vector4d i, j;  ///< the columns of F
+  double ii, jj, ij;
+
+  Block(const Eigen::Matrix4d& hessian, const Eigen::Vector4d& column_i,
+        const Eigen::Vector4d& column_j)
+      : i(column_i), j(column_j) {
+    const Eigen::Vector4d image = hessian * j;
+    ii = i.dot(hessian * i);
+    jj = j.dot(image);
+    ij = i.dot(image);
+  }
+};
+
+/// Takes the part `clamping` of a negative eigenvalue of the block away from H.
+void clamp(const Block& block, double clamping, Eigen::Matrix4d& hessian) {
+  const double middle = 0.5 * (block.ii + block.jj);
+  const double half_difference = 0.5 * (block.ii - block.jj);
+  const double radius = std::sqrt(half_difference * half_difference + block.ij * block.ij);
   const double least = middle - radius, greatest = middle + radius;
-  if (least >= 0) return false;
+  if (least >= 0) return;
   // What is left of M with eigenvalues λ₁ < 0 < λ₂ is λ₂ / (λ₂ − λ₁) · (M − λ₁ I).
   const double factor = greatest > 0 ? greatest / (greatest - least) : 0;
-  const auto mix = [&](double before, double clamped) {
-    return before + clamping * (clamped - before);
-  };
-  matrix(i, i) = mix(matrix(i, i), factor * (matrix(i, i) - least));
-  matrix(j, j) = mix(matrix(j, j), factor * (matrix(j, j) - least));
-  matrix(i, j) = matrix(j, i) = mix(matrix(i, j), factor * matrix(i, j));
-  return true;
+  const double ii = clamping * (factor * (block.ii - least) - block.ii);
+  const double jj = clamping * (factor * (block.jj - least) - block.jj);
+  const double ij = clamping * (factor - 1) * block.ij;
+  const Eigen::Vector4d by_i = ii * block.i + ij * block.j, by_j = ij * block.i + jj * block.j;
+  hessian.noalias() += by_i * block.i.transpose() + by_j * block.j.transpose();
 }
 
 }  // namespace
 
 Eigen::Matrix4d clamped_hessian(const Eigen::Matrix4d& hessian, const Mat2& J, double clamping) {
   const Eigen::Matrix4d frame = singular_frame(J);
-  Eigen::Matrix4d blocks = frame.transpose() * hessian * frame;
-  const bool first = clamp_block(blocks, 0, 3, clamping);
-  const bool second = clamp_block(blocks, 1, 2, clamping);
-  if (!first && !second) return hessian;
-  return frame * blocks * frame.transpose();
+  Eigen::Matrix4d result = hessian;
+  clamp(Block(hessian, frame.col(0), frame.col(3)), clamping, result);
+  clamp(Block(hessian, frame.col(1), frame.col(2)), clamping, result);
+  return result;
 }
 
 }  // namespace foldless

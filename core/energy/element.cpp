@@ -87,12 +87,6 @@ RestElement rest_element(const EnergySettings& settings, const Corners& rest) {
   return rest_element(equilateral);
 }
 
-Corners corners_of(const Points& points, const Eigen::Vector3i& triangle) {
-  Corners corners;
-  corners << points.col(triangle[0]), points.col(triangle[1]), points.col(triangle[2]);
-  return corners;
-}
-
 Mat2 deformation_gradient(const RestElement& rest, const Corners& deformed) {
   // The hat gradients add up to zero, so edge vectors do: no cancellation far from the origin.
   return (deformed.col(1) - deformed.col(0)) * rest.gradients.col(1).transpose() +

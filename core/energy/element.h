@@ -59,7 +59,11 @@ RestElement rest_element(const Corners& rest);
 /// What the energy compares a triangle of M with.
 RestElement rest_element(const EnergySettings& settings, const Corners& rest);
 /// The corners of a triangle of a mesh.
-Corners corners_of(const Points& points, const Eigen::Vector3i& triangle);
+inline Corners corners_of(const Points& points, const Eigen::Vector3i& triangle) {
+  Corners corners;
+  for (int corner = 0; corner < 3; ++corner) corners.col(corner) = points.col(triangle[corner]);
+  return corners;
+}
 /// J = Σ u_j ∇φ_jᵀ, from edge vectors.
 Mat2 deformation_gradient(const RestElement& rest, const Corners& deformed);
 

@@ -39,17 +39,26 @@ Objective::Objective(const EnergySettings& settings, const MeshPair& mesh,
     const int node = node_of(positions.vertices[row]);
     if (node >= 0 && !positions.soft[row]) is_handle_[static_cast<std::size_t>(node)] = true;
   }
-  triangles_.resize(3, mesh.face_count());
-  rest_.reserve(static_cast<std::size_t>(mesh.face_count()));
+  Eigen::Index moving = 0;
+  for (const auto& t : mesh.triangles().colwise()) moving += node_of(t[0]) >= 0;
+  triangles_ = Triangles::Constant(3, moving, -1);
+  rest_.resize(static_cast<std::size_t>(moving));
+  take_flips(mesh);
+}
+
+void Objective::take_flips(const MeshPair& mesh) {
+  triangles_of_handles_.clear();
   Eigen::Index moving = 0;
   for (const auto& t : mesh.triangles().colwise()) {
     if (node_of(t[0]) < 0) continue;
     if (std::ranges::any_of(t, [&](int v) { return is_handle(node_of(v)); }))
       triangles_of_handles_.push_back(moving);
-    triangles_.col(moving++) = t;
-    rest_.push_back(rest_element(settings_, corners_of(mesh.rest(), t)));
+    if (triangles_.col(moving) != t) {
+      triangles_.col(moving) = t;
+      rest_[static_cast<std::size_t>(moving)] = rest_element(settings_, corners_of(mesh.rest(), t));
+    }
+    ++moving;
   }
-  triangles_.conservativeResize(Eigen::NoChange, moving);
 }
 
 EnergyTerms Objective::value(const Points& u, const Positions& positions) const {

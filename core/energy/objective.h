@@ -27,10 +27,13 @@ struct EnergyGradient {
 };
 
 /// E(u) of eq. 5 for one connectivity: value, gradient and Hessian. Positions u are 2 × #V; the
-/// gradient has one pair (x, y) per unknown node. Rebuild it after flips and splits.
+/// gradient has one pair (x, y) per unknown node. Make it anew after splits.
 class Objective {
  public:
   Objective(const EnergySettings& settings, const MeshPair& mesh, const Positions& positions);
+
+  /// Takes over the triangles of the same mesh after flips; what did not change is kept.
+  void take_flips(const MeshPair& mesh);
 
   const Unknowns& unknowns() const { return unknowns_; }
   const EnergySettings& settings() const { return settings_; }

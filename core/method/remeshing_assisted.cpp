@@ -210,7 +210,7 @@ int RemeshingAssisted::flip() {
     StageTimer timer(system_.times.flip);
     flips = flip_edges(mesh_, system_.objective().unknowns(), flip_settings_);
   }
-  if (flips > 0) system_.rebuild(mesh_, positions_, flips);
+  if (flips > 0) system_.take_flips(mesh_, flips);
   flips_ += flips;
   return flips;
 }

@@ -10,7 +10,7 @@ namespace foldless {
 namespace {
 
 /// Height over length below which vertices count as collinear.
-constexpr double kLeastRelativeHeight = 1e-6;
+constexpr double kCollinear = 1e-6;
 
 /// A piece of the segment that passes through no vertex.
 struct Piece {
@@ -27,7 +27,7 @@ int third_corner(const MeshPair& mesh, int t, int p, int q) {
 /// 1 left of the segment from a to b, −1 right of it, 0 nearly on its line.
 int side_of(const Points& rest, int a, int b, int v) {
   const double twice = 2 * signed_area(rest.col(a), rest.col(b), rest.col(v));
-  const double least = kLeastRelativeHeight * (rest.col(b) - rest.col(a)).squaredNorm();
+  const double least = kCollinear * (rest.col(b) - rest.col(a)).squaredNorm();
   return twice > least ? 1 : twice < -least ? -1 : 0;
 }
 
@@ -80,7 +80,7 @@ bool is_positive(const Points& rest, int a, int b, int c) {
   const Vec2 p = rest.col(a), q = rest.col(b), r = rest.col(c);
   const double longest =
       std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()});
-  return 2 * signed_area(p, q, r) > kLeastRelativeHeight * longest;
+  return 2 * signed_area(p, q, r) > kCollinear * longest;
 }
 
 bool is_convex(const Points& rest, const Diamond& d) {

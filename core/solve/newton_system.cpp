@@ -25,6 +25,16 @@ NewtonSystem::NewtonSystem(const EnergySettings& settings, const MeshPair& mesh,
 void NewtonSystem::rebuild(const MeshPair& mesh, const Positions& positions, int changed_edges) {
   StageTimer timer(times.analyze);
   objective_ = Objective(objective_.settings(), mesh, positions);
+  take_pattern(mesh, changed_edges);
+}
+
+void NewtonSystem::take_flips(const MeshPair& mesh, int flips) {
+  StageTimer timer(times.analyze);
+  objective_.take_flips(mesh);
+  take_pattern(mesh, flips);
+}
+
+void NewtonSystem::take_pattern(const MeshPair& mesh, int changed_edges) {
   hessian_ = objective_.hessian_pattern();
   edge_count_ = mesh.edge_count();
   edges_changed_since_ordering_ += changed_edges;

@@ -26,6 +26,8 @@ class NewtonSystem {
   /// Takes over a changed connectivity. The fill-reducing ordering is kept until more than 2 % of
   /// the edges changed, when it begins to cost more than a new one.
   void rebuild(const MeshPair& mesh, const Positions& positions, int changed_edges);
+  /// The same where `flips` edges were flipped and nothing else.
+  void take_flips(const MeshPair& mesh, int flips);
 
   const Objective& objective() const { return objective_; }
 
@@ -68,6 +70,8 @@ class NewtonSystem {
   StageTimes times;
 
  private:
+  void take_pattern(const MeshPair& mesh, int changed_edges);
+
   Objective objective_;
   SparseSymmetric hessian_;
   EnergyGradient first_order_;

@@ -35,7 +35,7 @@ int Workspace::flip_edges() {
     flipped = foldless::flip_edges(mesh, objective.unknowns(),
                                    {objective.settings(), eta, condition_test});
   }
-  if (flipped > 0) system.rebuild(mesh, positions, flipped);
+  if (flipped > 0) system.take_flips(mesh, flipped);
   flips += flipped;
   return flipped;
 }
