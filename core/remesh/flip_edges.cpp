@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/remesh/flip_edges.h"
 
+#include <numeric>
 #include <vector>
 
 #include "core/remesh/diamond_energy.h"
@@ -40,8 +41,10 @@ double gain_of_flip(const MeshPair& mesh, const Diamond& diamond, double energy,
   return gain > settings.eta * energy && gain > least ? gain : 0;
 }
 
+/// The edges that are worth a flip; none where all of them gain too little.
 EdgeHeap gains(const MeshPair& mesh, const Unknowns& unknowns, const FlipSettings& settings) {
   EdgeHeap heap(mesh.edge_count());
+  double total = 0;
   const std::vector<double> energies = triangle_energies(mesh, settings.energy);
   for (int e = 0; e < mesh.edge_count(); ++e) {
     if (mesh.is_boundary_edge(e)) continue;
@@ -52,9 +55,13 @@ EdgeHeap gains(const MeshPair& mesh, const Unknowns& unknowns, const FlipSetting
     // A gain is at most the energy itself: most of an undeformed mesh ends here.
     if (energy <= kLeastGain * barrier_scale(settings.energy, 0)) continue;
     const double gain = gain_of_flip(mesh, diamond, energy, settings);
-    if (gain > 0 && mesh.is_flip_legal(e)) heap.push(e, gain);
+    if (gain > 0 && mesh.is_flip_legal(e)) {
+      heap.push(e, gain);
+      total += gain;
+    }
   }
-  return heap;
+  const double energy = std::accumulate(energies.begin(), energies.end(), 0.0);
+  return total < settings.least_total_gain * energy ? EdgeHeap(0) : heap;
 }
 
 bool raises_condition(const MeshPair& mesh, const Diamond& diamond,

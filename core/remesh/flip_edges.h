@@ -12,6 +12,8 @@ struct FlipSettings {
   EnergySettings energy;
   double eta = 1e-3;           ///< least relative decrease of the energy of the diamond
   bool condition_test = true;  ///< cancel a flip that raises cond, eq. 10
+  /// Nothing is flipped where all gains together are less than this part of the energy.
+  double least_total_gain = 0;
 };
 
 /// FlipEdges (4.3): flips edges in descending order of Δ_ab = E_ab − Ē_ab, distortion and barrier

@@ -9,9 +9,11 @@ namespace {
 /// Flipping on every step is slower, never on full steps locks.
 constexpr double kShortStep = 0.5;
 constexpr int kStepsBetweenFlips = 3;
+/// Flips of little gain wait for the end of the descent: each call that flips costs an analysis.
+constexpr double kLeastGainWhileHeld = 2e-3;
 
-/// No split makes an edge shorter than this. [D]
-constexpr double kShortestEdge = 1e-5;
+/// Of an edge that is split. [D]
+constexpr double kShortestHalf = 1e-5;
 
 /// E_d + E_b may grow by this factor when handles are put on their targets.
 constexpr double kGrowthOfASnap = 1.5;
@@ -22,18 +24,19 @@ VertexUpdate Workspace::descend(const Positions& aimed, std::stop_token token) {
   const VertexUpdate update = foldless::descend(system, mesh, aimed, curvature, token);
   if (update.cancelled) return update;
   ++steps_since_flips;
-  if (update.step_length < kShortStep || steps_since_flips >= kStepsBetweenFlips) flip_edges();
+  if (update.step_length < kShortStep || steps_since_flips >= kStepsBetweenFlips)
+    flip_edges(aimed.held ? kLeastGainWhileHeld : 0);
   return update;
 }
 
-int Workspace::flip_edges() {
+int Workspace::flip_edges(double least_gain) {
   steps_since_flips = 0;
   int flipped = 0;
   {
     StageTimer timer(system.times.flip);
     const Objective& objective = system.objective();
     flipped = foldless::flip_edges(mesh, objective.unknowns(),
-                                   {objective.settings(), eta, condition_test});
+                                   {objective.settings(), eta, condition_test, least_gain});
   }
   if (flipped > 0) system.take_flips(mesh, flipped);
   flips += flipped;
@@ -42,7 +45,7 @@ int Workspace::flip_edges() {
 
 int Workspace::split_edges(const std::vector<MovingDirection>& directions) {
   const int split = foldless::split_edges(mesh, directions,
-                                          {.shortest_edge = kShortestEdge,
+                                          {.shortest_edge = kShortestHalf,
                                            .delta = system.objective().settings().delta,
                                            .fixed_boundary = fixed_boundary});
   if (split > 0) system.rebuild(mesh, positions, split);

@@ -42,7 +42,8 @@ struct Workspace {
   /// One step of descend() towards `aimed`; edges are flipped when the step was short, and every
   /// few steps.
   VertexUpdate descend(const Positions& aimed, std::stop_token token);
-  int flip_edges();
+  /// Flips nothing where all flips together gain less than `least_gain` of E_d + E_b.
+  int flip_edges(double least_gain = 0);
   /// Splits the edges in the way; returns how many. See split_edges() of core/remesh.
   int split_edges(const std::vector<MovingDirection>& directions);
   /// Returns how many vertices were removed; see collapse_edges() of core/remesh.
