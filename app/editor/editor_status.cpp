@@ -23,6 +23,7 @@ std::string solving_words(const Editor& editor) {
   if (editor.iterations().empty()) return words;
   const Iteration& last = editor.iterations().back();
   if (const std::string locked = locked_words(last); !locked.empty()) return words + locked;
+  if (last.phase == Phase::coarse) words.append(" on a coarser mesh first");
   const MethodRow* method = find_method(parameters.method);
   if (method && !reads(*method, "inner_iterations"))
     return words.append(", step ").append(std::to_string(last.inner));

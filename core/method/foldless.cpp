@@ -43,7 +43,7 @@ int first_removable_vertex(const Problem& problem) {
 
 }  // namespace
 
-Foldless::Foldless(Problem problem)
+Foldless::Foldless(Problem problem, const CoarseSettings& dense)
     : initial_(problem.mesh),
       first_removable_(first_removable_vertex(problem)),
       energy_(own_energy(problem)),
@@ -52,8 +52,8 @@ Foldless::Foldless(Problem problem)
       stage_(first_stage()) {
   work_.fixed_boundary = boundary_vertices(held_regions_, work_.positions);
   if (work_.system.objective().unknowns().count() == 0) outcome_ = Outcome::gradient;
-  if (std::optional<Coarse> coarse; work_.error() > 0 && (coarse = Coarse::of(problem)))
-    stage_ = std::move(*coarse);
+  if (outcome_ || work_.error() == 0) return;
+  if (std::optional<Coarse> coarse = Coarse::of(problem, dense)) stage_ = std::move(*coarse);
 }
 
 Foldless::Stage Foldless::first_stage() {

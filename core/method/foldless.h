@@ -19,7 +19,8 @@ namespace foldless {
 /// replaces what holds it back. One vertex update a step. The problem's rest mesh has a
 /// bounding-box diagonal of about 1.
 ///
-/// Pursue → Tidy where nothing is in the way; else Approach → Tidy, from the beginning. A locked
+/// A dense mesh begins with the map of a coarser one, see Coarse; until that is there mesh() stays
+/// what it was. Pursue → Tidy where nothing is in the way; else Approach → Tidy, from the beginning. A locked
 /// approach splits edges at the handles that are not home and begins again; when that gains no
 /// more, other ways from the rest state are tried on a second mesh, an approach and transports,
 /// while mesh() stays the best one so far. Targets that move are pursued from the mesh as it is.
@@ -32,7 +33,7 @@ class Foldless final : public Method {
   /// β per unit rest area: independent of the number of triangles, unlike the paper's.
   static constexpr double kBeta = 2;
 
-  explicit Foldless(Problem problem);
+  explicit Foldless(Problem problem, const CoarseSettings& dense = {});
 
   std::unique_ptr<Method> clone() const override;
   std::optional<Iteration> step(std::stop_token token) override;

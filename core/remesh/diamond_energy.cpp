@@ -9,7 +9,7 @@ namespace {
 /// Height over the longest edge: below it rest triangles count as degenerate.
 constexpr double kLeastRelativeHeight = 1e-6;
 
-bool is_positive_in_rest(const MeshPair& mesh, const Eigen::Vector3i& t) {
+bool is_positive_at_rest(const MeshPair& mesh, const Eigen::Vector3i& t) {
   const Corners rest = corners_of(mesh.rest(), t);
   const double longest = std::max({(rest.col(1) - rest.col(0)).squaredNorm(),
                                    (rest.col(2) - rest.col(1)).squaredNorm(),
@@ -29,9 +29,14 @@ TrianglePair flipped_triangles_of(const Diamond& diamond) {
   return {Eigen::Vector3i(a, d, c), Eigen::Vector3i(d, b, c)};
 }
 
+bool is_positive_at_rest(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles) {
+  return std::ranges::all_of(
+      triangles, [&](const Eigen::Vector3i& t) { return is_positive_at_rest(mesh, t); });
+}
+
 bool is_feasible(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles, double delta) {
   return std::ranges::all_of(triangles, [&](const Eigen::Vector3i& t) {
-    return is_positive_in_rest(mesh, t) &&
+    return is_positive_at_rest(mesh, t) &&
            signed_area(mesh.deformed(), t) > delta * signed_area(mesh.rest(), t);
   });
 }

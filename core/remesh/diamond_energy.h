@@ -18,7 +18,10 @@ TrianglePair triangles_of(const Diamond& diamond);
 TrianglePair flipped_triangles_of(const Diamond& diamond);
 
 /// True when the triangles are positive in M, with a relative height well above rounding so that
-/// collinear points do not make one, and satisfy eq. 9, G > 0, in M′.
+/// collinear points do not make one.
+bool is_positive_at_rest(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles);
+
+/// True when the triangles are that and satisfy eq. 9, G > 0, in M′.
 bool is_feasible(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles, double delta);
 
 /// Distortion and barrier of the triangles, without the penalty: E_ab of those of a diamond.

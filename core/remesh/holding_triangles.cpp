@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/mesh/orientation.h"
+
 namespace foldless {
 namespace {
 
@@ -17,7 +19,8 @@ class Search {
       : coarse_(coarse), seen_(static_cast<std::size_t>(coarse.face_count()), -1) {}
 
   /// The triangle that holds p, sought from one near by, the nearest first: triangles of other
-  /// sheets are far away. `vertex` tells one search from the other.
+  /// sheets are far away. The nearest where rounding of the boundary leaves p outside of all.
+  /// `vertex` tells one search from the other.
   int triangle_of(int vertex, const Vec2& p, int near_by) {
     heap_.assign(1, {depth(near_by, p), near_by});
     seen_[static_cast<std::size_t>(near_by)] = vertex;
@@ -27,7 +30,7 @@ class Search {
       const std::pair<double, int> nearest = heap_.back();
       heap_.pop_back();
       best = std::max(best, nearest);
-      if (nearest.first >= 0) break;
+      if (holds(nearest.second, p)) return nearest.second;
       for (const int e : coarse_.edges_of_triangle(nearest.second))
         for (const int other : coarse_.triangles_of_edge(e)) {
           if (std::exchange(seen_[static_cast<std::size_t>(other)], vertex) == vertex) continue;
@@ -39,6 +42,15 @@ class Search {
   }
 
  private:
+  /// Exact: a point on an edge that rounding puts outside of both triangles is found all the same.
+  bool holds(int triangle, const Vec2& p) const {
+    const Eigen::Vector3i t = coarse_.triangles().col(triangle);
+    const Points& rest = coarse_.rest();
+    return orientation(rest.col(t[0]), rest.col(t[1]), p) >= 0 &&
+           orientation(rest.col(t[1]), rest.col(t[2]), p) >= 0 &&
+           orientation(rest.col(t[2]), rest.col(t[0]), p) >= 0;
+  }
+
   /// How far p is inside a triangle at rest, negative outside. [length]
   double depth(int triangle, const Vec2& p) const {
     const Eigen::Vector3i t = coarse_.triangles().col(triangle);

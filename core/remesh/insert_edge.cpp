@@ -5,12 +5,15 @@
 #include <deque>
 
 #include "core/mesh/orientation.h"
+#include "core/remesh/diamond_energy.h"
 
 namespace foldless {
 namespace {
 
 /// Height over length below which vertices count as collinear.
-constexpr double kCollinear = 1e-6;
+constexpr double kLeastRelativeHeight = 1e-6;
+/// Looks at an edge in the queue, over the square of their number. Random meshes took KKK at most.
+constexpr std::size_t kMostLooks = 8;
 
 /// A piece of the segment that passes through no vertex.
 struct Piece {
@@ -27,7 +30,7 @@ int third_corner(const MeshPair& mesh, int t, int p, int q) {
 /// 1 left of the segment from a to b, −1 right of it, 0 nearly on its line.
 int side_of(const Points& rest, int a, int b, int v) {
   const double twice = 2 * signed_area(rest.col(a), rest.col(b), rest.col(v));
-  const double least = kCollinear * (rest.col(b) - rest.col(a)).squaredNorm();
+  const double least = kLeastRelativeHeight * (rest.col(b) - rest.col(a)).squaredNorm();
   return twice > least ? 1 : twice < -least ? -1 : 0;
 }
 
@@ -76,45 +79,43 @@ Piece first_piece(const MeshPair& mesh, int a, int b) {
   return piece;
 }
 
-bool is_positive(const Points& rest, int a, int b, int c) {
-  const Vec2 p = rest.col(a), q = rest.col(b), r = rest.col(c);
-  const double longest =
-      std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()});
-  return 2 * signed_area(p, q, r) > kCollinear * longest;
-}
-
-bool is_convex(const Points& rest, const Diamond& d) {
-  return is_positive(rest, d.c, d.d, d.b) && is_positive(rest, d.d, d.c, d.a);
-}
-
 bool is_crossed(const Points& rest, int a, int end, int c, int d) {
   if (c == a || c == end || d == a || d == end) return false;
   return side_of(rest, a, end, c) * side_of(rest, a, end, d) < 0;
 }
 
+/// Flips until nothing crosses the piece that begins at a, or nothing is gained; returns how often.
+int clear(MeshPair& mesh, int a, Piece& piece) {
+  std::deque<int>& queue = piece.crossing;
+  int flips = 0;
+  for (std::size_t looks = kMostLooks * queue.size() * queue.size(); looks > 0; --looks) {
+    if (queue.empty()) break;
+    const int e = queue.front();
+    queue.pop_front();
+    const Diamond diamond = mesh.diamond(e);
+    const bool flips_now =
+        mesh.is_flip_legal(e) && is_positive_at_rest(mesh, flipped_triangles_of(diamond));
+    if (flips_now) {
+      mesh.flip(e);
+      ++flips;
+    }
+    if (!flips_now || is_crossed(mesh.rest(), a, piece.end, diamond.c, diamond.d))
+      queue.push_back(e);
+  }
+  return flips;
+}
+
 }  // namespace
 
 int insert_edge(MeshPair& mesh, int a, int b) {
+  const auto distance = [&](int v) { return (mesh.rest().col(v) - mesh.rest().col(b)).norm(); };
   int flips = 0;
   while (a != b) {
     Piece piece = first_piece(mesh, a, b);
-    if (piece.end < 0) return flips;
-    // Every round of the queue flips at least one edge: some diamond is always convex.
-    for (std::size_t idle = 0; !piece.crossing.empty() && idle <= piece.crossing.size();) {
-      const int e = piece.crossing.front();
-      piece.crossing.pop_front();
-      const Diamond diamond = mesh.diamond(e);
-      if (!is_convex(mesh.rest(), diamond) || !mesh.is_flip_legal(e)) {
-        piece.crossing.push_back(e);
-        ++idle;
-        continue;
-      }
-      mesh.flip(e);
-      ++flips;
-      idle = 0;
-      if (is_crossed(mesh.rest(), a, piece.end, diamond.c, diamond.d)) piece.crossing.push_back(e);
-    }
-    if (!piece.crossing.empty()) return flips;
+    // Where the domain lies over itself a piece may lead to another sheet, past b.
+    if (piece.end < 0 || distance(piece.end) >= distance(a)) break;
+    flips += clear(mesh, a, piece);
+    if (!piece.crossing.empty()) break;
     a = piece.end;
   }
   return flips;

@@ -2,8 +2,8 @@
 #include "core/remesh/prolong.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "core/mesh/injective.h"
@@ -46,19 +46,25 @@ class Prolongation {
         holding_(holding_triangles(coarse, fine)),
         is_inserted_(static_cast<std::size_t>(coarse.mesh.edge_count()), false),
         result_{fine} {
-    for (int t = 0; t < coarse.mesh.face_count(); ++t)
+    double sum = 0;
+    int finite = 0;
+    for (int t = 0; t < coarse.mesh.face_count(); ++t) {
       per_area_.push_back(energy_per_area(coarse.mesh, t, energy));
-    mean_ = std::accumulate(per_area_.begin(), per_area_.end(), 0.0) /
-            static_cast<double>(per_area_.size());
+      if (!std::isfinite(per_area_.back())) continue;
+      sum += per_area_.back();
+      ++finite;
+    }
+    mean_ = sum / std::max(1, finite);
     result_.mesh.set_deformed(positions());
   }
 
-  ProlongedMesh result() {
+  std::optional<ProlongedMesh> result() {
     for (int round = 0; round < kMostRounds; ++round) {
       const std::vector<int> edges = edges_to_insert();
       if (edges.empty()) break;
       for (const int e : edges) insert(e);
     }
+    if (!is_valid()) return std::nullopt;
     return std::move(result_);
   }
 
@@ -81,16 +87,30 @@ class Prolongation {
     return coarse_.mesh.deformed().col(t[0]) + map * (p - coarse_.mesh.rest().col(t[0]));
   }
 
+  /// Infinite only where a coarse triangle is outside of the feasible set, which may be in
+  /// components that do not move.
+  double largest_energy_per_area(int t) const {
+    double largest = mean_;
+    for (const int v : result_.mesh.triangles().col(t))
+      largest = std::max(largest, per_area_[static_cast<std::size_t>(holding(v))]);
+    return kLargestRatio * largest;
+  }
+
+  bool is_valid() const {
+    const MeshPair& mesh = result_.mesh;
+    for (int t = 0; t < mesh.face_count(); ++t)
+      if (std::isfinite(largest_energy_per_area(t)) &&
+          !std::isfinite(energy_per_area(mesh, t, energy_)))
+        return false;
+    return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
+  }
+
   /// The coarse edges that are not edges of the fine mesh but should be.
   std::vector<int> edges_to_insert() const {
     std::vector<int> edges;
-    for (int t = 0; t < result_.mesh.face_count(); ++t) {
-      double bound = mean_;
-      for (const int v : result_.mesh.triangles().col(t))
-        bound = std::max(bound, per_area_[static_cast<std::size_t>(holding(v))]);
-      if (energy_per_area(result_.mesh, t, energy_) > kLargestRatio * bound)
+    for (int t = 0; t < result_.mesh.face_count(); ++t)
+      if (energy_per_area(result_.mesh, t, energy_) > largest_energy_per_area(t))
         add_edges_across(t, edges);
-    }
     std::erase_if(edges, [&](int e) { return is_inserted_[static_cast<std::size_t>(e)]; });
     return edges;
   }
@@ -140,10 +160,7 @@ class Prolongation {
 
 std::optional<ProlongedMesh> prolonged(const CoarseMesh& coarse, const MeshPair& fine,
                                        const EnergySettings& energy) {
-  ProlongedMesh result = Prolongation(coarse, fine, energy).result();
-  const MeshPair& mesh = result.mesh;
-  if (!is_injective(mesh.triangles(), mesh.rest(), mesh.deformed())) return std::nullopt;
-  return result;
+  return Prolongation(coarse, fine, energy).result();
 }
 
 }  // namespace foldless

@@ -20,7 +20,8 @@ struct ProlongedMesh {
 /// flipped and split since it was made. Where a fine triangle lies across coarse edges and comes
 /// out folded, or with much more of `energy` than the coarse ones, those edges become edges of the
 /// fine mesh by flips, so that the map is the coarse one there. Nothing when the fine mesh is not
-/// locally injective all the same.
+/// locally injective all the same, or leaves the feasible set, A′ > δA, where the coarse one does
+/// not.
 std::optional<ProlongedMesh> prolonged(const CoarseMesh& coarse, const MeshPair& fine,
                                        const EnergySettings& energy);
 

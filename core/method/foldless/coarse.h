@@ -4,36 +4,43 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/method/foldless/workspace.h"
 #include "core/method/method.h"
-#include "core/remesh/coarsen.h"
 
 namespace foldless {
 
+/// Which meshes are coarsened, and how far.
+struct CoarseSettings {
+  int dense_from = 8000;      ///< vertices from which it was measured to pay
+  int least_vertices = 3500;  ///< of a coarse mesh, about
+  int ratio = 8;              ///< vertices of the fine mesh to one of the coarse, about
+};
+
 /// Coarse-to-fine, the paper's future work: the problem is solved on a mesh of fewer vertices
 /// first, and the fine mesh begins with the map of that one. A coarse mesh that is dense itself
-/// begins so too.
+/// begins so too. Components without a handle are not coarsened, for they stay as they are.
 class Coarse {
  public:
   /// Nothing where the mesh is not dense, or where few of its vertices may go.
-  static std::optional<Coarse> of(const Problem& problem);
+  static std::optional<Coarse> of(const Problem& problem, const CoarseSettings& settings);
 
   Coarse(const Coarse& other);
   Coarse& operator=(const Coarse& other);
   Coarse(Coarse&&) noexcept = default;
   Coarse& operator=(Coarse&&) noexcept = default;
 
-  /// One step of the coarse run, whose record `iteration` is; its counters and times are the
-  /// workspace's too. Arrives when that run has its handles on their targets and the workspace has
+  /// One step of the coarse run, whose record `iteration` is; what it spent so far is the
+  /// workspace's too, which is fresh. Arrives when that run has its handles on their targets and the workspace has
   /// taken its map over. Locks when it ended otherwise, or when the fine mesh would fold; the fine
   /// mesh is then as it was.
   Progress step(Workspace& workspace, std::stop_token token, Iteration& iteration);
 
  private:
-  Coarse(CoarseMesh coarse, Problem problem);
+  Coarse(std::vector<int> vertices, std::unique_ptr<Method> run);
 
-  CoarseMesh coarse_;
+  std::vector<int> vertices_;  ///< index in the fine mesh of each of the first of the coarse
   std::unique_ptr<Method> run_;
 };
 
