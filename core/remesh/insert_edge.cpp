@@ -12,8 +12,8 @@ namespace {
 
 /// Height over length below which vertices count as collinear.
 constexpr double kLeastRelativeHeight = 1e-6;
-/// Looks at an edge in the queue, over the square of their number. Random meshes took KKK at most.
-constexpr std::size_t kMostLooks = 8;
+/// Looks at an edge in the queue, over the square of their number. Random meshes took 1.
+constexpr std::size_t kMostLooks = 4;
 
 /// A piece of the segment that passes through no vertex.
 struct Piece {

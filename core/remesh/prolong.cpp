@@ -16,6 +16,8 @@ namespace {
 /// Energy per area of a fine triangle over the most of those coarse ones that hold its corners, or
 /// over the mean, from which it lies across edges that matter.
 constexpr double kLargestRatio = 2;
+/// Energy per area that is none: what rounding makes of the identity is less.
+constexpr double kNoEnergy = 1e-6;
 /// Flips make other triangles lie across other edges.
 constexpr int kMostRounds = 10;
 
@@ -54,7 +56,7 @@ class Prolongation {
       sum += per_area_.back();
       ++finite;
     }
-    mean_ = sum / std::max(1, finite);
+    mean_ = std::max(kNoEnergy, sum / std::max(1, finite));
     result_.mesh.set_deformed(positions());
   }
 

@@ -58,8 +58,8 @@ Progress Coarse::step(Workspace& workspace, std::stop_token token, Iteration& it
   workspace.splits = step->splits;
   if (!run_->outcome()) return Progress::running;
   if (run_->outcome() != Outcome::gradient) return Progress::locked;
-  std::optional<ProlongedMesh> fine = prolonged({run_->mesh(), vertices_}, workspace.mesh,
-                                                workspace.system.objective().settings());
+  std::optional<ProlongedMesh> fine =
+      prolonged({run_->mesh(), vertices_}, workspace.mesh, workspace.system.objective().settings());
   if (!fine) return Progress::locked;
   workspace.flips += fine->flips;
   workspace.set_mesh(std::move(fine->mesh));

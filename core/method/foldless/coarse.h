@@ -32,9 +32,9 @@ class Coarse {
   Coarse& operator=(Coarse&&) noexcept = default;
 
   /// One step of the coarse run, whose record `iteration` is; what it spent so far is the
-  /// workspace's too, which is fresh. Arrives when that run has its handles on their targets and the workspace has
-  /// taken its map over. Locks when it ended otherwise, or when the fine mesh would fold; the fine
-  /// mesh is then as it was.
+  /// workspace's too, which is fresh. Arrives when that run has its handles on their targets and
+  /// the workspace has taken its map over. Locks when it ended otherwise, or when the fine mesh
+  /// would fold; the fine mesh is then as it was.
   Progress step(Workspace& workspace, std::stop_token token, Iteration& iteration);
 
  private:

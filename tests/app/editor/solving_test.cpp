@@ -41,6 +41,24 @@ TEST_F(Solving, SaysHowFarItIs) {
   EXPECT_GT(editor_->status().residual, 0);
 }
 
+TEST_F(Solving, SaysThatACoarserMeshIsSolvedFirst) {
+  open_grid(90);  // dense for foldless
+  key(Key::space);
+  editor_->set_method("lim");
+  place(0);
+  place(8099);
+  drag_corner({-50, 60});
+  editor_->set_method("foldless");  // begins a run with targets away from the handles
+  key(Key::period);
+  wait_for([&] { return !editor_->iterations().empty(); });
+  ASSERT_EQ(editor_->iterations().front().phase, Phase::coarse);
+  editor_->set_pace(4);
+  key(Key::space);
+  EXPECT_EQ(editor_->status().kind, StatusKind::solving);
+  EXPECT_EQ(editor_->status().words, "Solving on a coarser mesh first, step 1");
+  EXPECT_TRUE(is_valid());
+}
+
 TEST_F(Solving, HandlesThatCannotGetThereAreBlocked) {
   Shape shape{Triangles(3, 1), Points(2, 3)};
   shape.triangles << 0, 1, 2;

@@ -7,7 +7,9 @@
 
 #include "core/energy/positions.h"
 #include "core/error.h"
+#include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
+#include "core/method/foldless.h"
 #include "tests/core/run/scripted_method.h"
 
 namespace foldless {
@@ -52,6 +54,31 @@ TEST(Run, BeginsWithTheMeshOfTheProblemBitForBit) {
   EXPECT_EQ(first.original_vertices, 25);
   EXPECT_FALSE(first.iteration);
   EXPECT_TRUE(first.flipped_edges->empty());
+}
+
+TEST(Run, PublishesItsOwnMeshWhileFoldlessSolvesACoarserOne) {
+  const MethodStarter start = [](Problem problem) -> std::unique_ptr<Method> {
+    return std::make_unique<Foldless>(
+        std::move(problem), CoarseSettings{.dense_from = 100, .least_vertices = 60, .ratio = 6});
+  };
+  const Problem problem = placed(grid_problem(15, Vec2(16, 9)), 7, Vec2(3, -2));
+  foldless::Run run(problem, 0, start);
+  int coarse_steps = 0;
+  bool is_coarse = true;
+  while (const auto record = run.step({})) {
+    const Snapshot& shown = *run.snapshot();
+    EXPECT_TRUE(is_injective(*shown.triangles, *shown.rest, shown.deformed));
+    ASSERT_TRUE(shown.iteration);
+    EXPECT_EQ(shown.iteration->inner, record->inner);
+    EXPECT_TRUE(*shown.rest == problem.mesh.rest());
+    is_coarse = is_coarse && record->phase == Phase::coarse;
+    if (!is_coarse) continue;
+    ++coarse_steps;
+    // The last coarse step brings the map.
+    EXPECT_EQ(run.is_satisfied(), !shown.deformed.isApprox(problem.mesh.rest()));
+  }
+  EXPECT_GT(coarse_steps, 1);
+  EXPECT_TRUE(run.is_satisfied());
 }
 
 TEST(Run, WorksOnAMeshOfDiagonalOne) {
