@@ -123,8 +123,13 @@ std::optional<Iteration> Foldless::coarse(Coarse& stage, std::stop_token token) 
   Iteration iteration;
   const Progress progress = stage.step(work_, token, iteration);
   if (progress == Progress::cancelled) return std::nullopt;
+  if (progress == Progress::arrived) {
+    const VertexUpdate update{.mu = iteration.mu,
+                              .step_length = iteration.step_length,
+                              .step_infinity_norm = iteration.step_infinity_norm};
+    iteration = record(work_, update, work_.positions);
+  }
   inner_ = iteration.inner;
-  if (progress == Progress::arrived) iteration = record(work_, {}, work_.positions);
   iteration.phase = Phase::coarse;
   if (progress != Progress::running) stage_ = first_stage();
   return iteration;

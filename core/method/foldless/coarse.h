@@ -31,10 +31,10 @@ class Coarse {
   Coarse(Coarse&&) noexcept = default;
   Coarse& operator=(Coarse&&) noexcept = default;
 
-  /// One step of the coarse run, whose record `iteration` is; what it spent so far is the
-  /// workspace's too, which is fresh. Arrives when that run has its handles on their targets and
-  /// the workspace has taken its map over. Locks when it ended otherwise, or when the fine mesh
-  /// would fold; the fine mesh is then as it was.
+  /// One step of the coarse run, whose record `iteration` is. What that run spent so far becomes
+  /// what the workspace spent, which has not been worked on before. Arrives when the run has its
+  /// handles on their targets and the workspace has taken its map over. Locks when the run ended
+  /// otherwise, or when the fine mesh would fold; the fine mesh is then as it was.
   Progress step(Workspace& workspace, std::stop_token token, Iteration& iteration);
 
  private:
