@@ -206,9 +206,16 @@ void Foldless::after_locked_attempt(Attempt& attempt) {
   begin_next_attempt();
 }
 
+MeshPair Foldless::at_rest() const {
+  Points u = initial_.deformed();
+  for (const int v : unknowns_of(initial_, work_.positions.vertices).vertex_of_node)
+    u.col(v) = initial_.rest().col(v);
+  return {initial_.triangles(), initial_.rest(), std::move(u)};
+}
+
 void Foldless::begin_next_attempt() {
   Workspace work = work_;
-  work.set_mesh(MeshPair(initial_.triangles(), initial_.rest()));
+  work.set_mesh(at_rest());
   if (attempts_++ == 0) {
     Approach way(work);
     stage_ = Attempt{std::move(work), std::move(way)};

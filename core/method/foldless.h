@@ -65,6 +65,8 @@ class Foldless final : public Method {
   void after_locked_approach();
   void after_locked_attempt(Attempt& attempt);
   void begin_next_attempt();
+  /// Where an attempt starts: what moves is at rest.
+  MeshPair at_rest() const;
   bool split();
   bool is_satisfied(double error) const;
   bool prove_infeasible();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/remesh/insert_edge.h"
 
-#include <algorithm>
 #include <deque>
 
 #include "core/mesh/orientation.h"

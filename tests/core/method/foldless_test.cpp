@@ -142,6 +142,37 @@ TEST(Foldless, WhileATransportIsUnderWayTheBestMeshStaysOnShow) {
   EXPECT_GE(transports, 50) << "the claim would be empty";
 }
 
+/// The problem with a triangle of its own that has no handle, in a pose of its own.
+Problem with_idle_triangle(Problem problem) {
+  const MeshPair& mesh = problem.mesh;
+  const int n = mesh.vertex_count();
+  Triangles triangles(3, mesh.face_count() + 1);
+  triangles << mesh.triangles(), Eigen::Vector3i(n, n + 1, n + 2);
+  Points rest(2, n + 3), deformed(2, n + 3);
+  rest << mesh.rest(), Vec2(0.8, 0), Vec2(0.9, 0), Vec2(0.9, 0.1);
+  deformed << mesh.deformed(), Vec2(0.8, 0.3), Vec2(0.9, 0.5), Vec2(0.7, 0.6);
+  problem.mesh = MeshPair(triangles, rest, deformed);
+  return problem;
+}
+
+TEST(Foldless, AComponentWithoutAHandleStaysWhereItIsWhateverIsTried) {
+  int transports = 0;
+  for (const std::uint64_t seed : {1, 2, 4, 5, 7, 8}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Problem problem = with_idle_triangle(trading_places(seed));
+    Foldless method(problem);
+    for (int step = 0; step < 400 && !method.outcome(); ++step) {
+      const auto iteration = method.step({});
+      ASSERT_TRUE(iteration);
+      ASSERT_EQ(method.mesh().deformed().middleCols(81, 3),
+                problem.mesh.deformed().middleCols(81, 3))
+          << "step " << step;
+      transports += iteration->phase == Phase::transport;
+    }
+  }
+  EXPECT_GT(transports, 50) << "the claim would be empty";
+}
+
 TEST(Foldless, IsValidOnRandomScenesWhateverIsCancelledAndResumed) {
   std::set<Phase> phases;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {

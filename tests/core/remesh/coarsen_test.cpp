@@ -7,7 +7,6 @@
 
 #include "core/mesh/generate.h"
 #include "core/mesh/injective.h"
-#include "core/mesh/orientation.h"
 #include "tests/support/mesh_measures.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_scene.h"

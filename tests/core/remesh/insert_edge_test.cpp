@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "core/mesh/generate.h"
 #include "core/mesh/injective.h"
