@@ -33,7 +33,8 @@ std::string_view name_of(Outcome outcome);
 std::string_view name_of(Phase phase);
 
 /// The record of one vertex update: one row of iterations.csv. Lengths, areas and energies are
-/// in the units of the input mesh; the counters are totals since the run began.
+/// in the units of the input mesh; the counters are totals since the run began. In Phase::coarse it
+/// is that of the coarser mesh, which is not the one on show.
 struct Iteration {
   int outer = 0;                         ///< round of the outer loop, from 0
   int inner = 0;                         ///< Update steps in this round so far
