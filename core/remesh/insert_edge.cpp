@@ -10,7 +10,7 @@ namespace foldless {
 namespace {
 
 /// Height over length below which vertices count as collinear.
-constexpr double kLeastRelativeHeight = 1e-6;
+constexpr double kCollinear = 1e-6;
 /// Looks at an edge in the queue, over the square of their number. Random meshes took 1.
 constexpr std::size_t kMostLooks = 4;
 
@@ -29,7 +29,7 @@ int third_corner(const MeshPair& mesh, int t, int p, int q) {
 /// 1 left of the segment from a to b, −1 right of it, 0 nearly on its line.
 int side_of(const Points& rest, int a, int b, int v) {
   const double twice = 2 * signed_area(rest.col(a), rest.col(b), rest.col(v));
-  const double least = kLeastRelativeHeight * (rest.col(b) - rest.col(a)).squaredNorm();
+  const double least = kCollinear * (rest.col(b) - rest.col(a)).squaredNorm();
   return twice > least ? 1 : twice < -least ? -1 : 0;
 }
 

@@ -14,6 +14,14 @@ namespace {
 /// The coarse mesh has at most this part of the vertices.
 constexpr double kLargestPart = 0.5;
 
+double longest_way(const Problem& problem) {
+  double longest = 0;
+  for (const Handle& handle : problem.handles)
+    longest =
+        std::max(longest, (handle.target - problem.mesh.deformed().col(handle.vertex)).norm());
+  return longest;
+}
+
 /// Handles, and what does not move.
 std::vector<int> kept_vertices(const Problem& problem) {
   std::vector<int> kept;
@@ -28,7 +36,7 @@ std::vector<int> kept_vertices(const Problem& problem) {
 
 std::optional<Coarse> Coarse::of(const Problem& problem, const CoarseSettings& settings) {
   const int count = problem.mesh.vertex_count();
-  if (count < settings.dense_from) return std::nullopt;
+  if (count < settings.dense_from || longest_way(problem) < settings.short_way) return std::nullopt;
   CoarseMesh coarse = coarsened(problem.mesh, kept_vertices(problem),
                                 std::max(settings.least_vertices, count / settings.ratio));
   if (coarse.mesh.vertex_count() > kLargestPart * count ||

@@ -16,6 +16,7 @@ struct CoarseSettings {
   int dense_from = 8000;      ///< vertices from which it was measured to pay
   int least_vertices = 3500;  ///< of a coarse mesh, about
   int ratio = 8;              ///< vertices of the fine mesh to one of the coarse, about
+  double short_way = 0.05;    ///< of the handle that goes farthest, too little to pay [D]
 };
 
 /// Coarse-to-fine, the paper's future work: the problem is solved on a mesh of fewer vertices
@@ -23,7 +24,8 @@ struct CoarseSettings {
 /// begins so too. Components without a handle are not coarsened, for they stay as they are.
 class Coarse {
  public:
-  /// Nothing where the mesh is not dense, or where few of its vertices may go.
+  /// Nothing where the mesh is not dense, where handles are near their targets, or where few
+  /// vertices may go.
   static std::optional<Coarse> of(const Problem& problem, const CoarseSettings& settings);
 
   Coarse(const Coarse& other);
