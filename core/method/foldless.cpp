@@ -15,6 +15,12 @@ namespace {
 constexpr double kOffTarget = 1e-6;
 constexpr int kMostSplitRounds = 3;
 constexpr double kGainOfASplitRound = 0.9;
+/// Handles of a mesh of at most so many triangles are carried in many orders; all of it takes
+/// seconds then.
+constexpr int kLargestInManyOrders = 5000;
+constexpr int kRandomOrders = 16;
+/// One of so many is refined when nothing else helped.
+constexpr int kLargestRefined = 2000;
 
 EnergySettings own_energy(const Problem& problem) {
   EnergySettings settings;
@@ -222,14 +228,18 @@ void Foldless::begin_next_attempt() {
     return;
   }
   const Points starts = held_where_they_are(work.positions, initial_.rest()).targets;
-  const std::vector<TransportPlan> plans = transport_plans(starts, work.positions.targets);
+  const int faces = initial_.face_count();
+  const std::vector<TransportPlan> plans = transport_plans(
+      starts, work.positions.targets, faces <= kLargestInManyOrders ? kRandomOrders : 0);
   const std::size_t next = attempts_ - 2;
-  if (next >= plans.size()) {
+  const bool is_refined = next >= plans.size();
+  if (next >= 2 * plans.size() || (is_refined && faces > kLargestRefined)) {
     outcome_ = Outcome::step;
     return;
   }
+  if (is_refined) work.refine();
   work.set_energy(Transport::energy(energy_.delta));
-  Transport way(work, plans[next]);
+  Transport way(work, plans[next % plans.size()]);
   stage_ = Attempt{std::move(work), std::move(way)};
 }
 

@@ -77,4 +77,16 @@ int split_edges(MeshPair& mesh, const std::vector<MovingDirection>& directions,
   return splits;
 }
 
+int split_all_edges(MeshPair& mesh, const SplitSettings& settings) {
+  int splits = 0;
+  for (int e = 0, count = mesh.edge_count(); e < count; ++e) {
+    const EdgeSplit half{e, 0.5};
+    if (is_fixed(mesh, e, settings.fixed_boundary) || !is_split_safe(mesh, half, settings))
+      continue;
+    mesh.split_edge(e, half.at);
+    ++splits;
+  }
+  return splits;
+}
+
 }  // namespace foldless

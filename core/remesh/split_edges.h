@@ -32,4 +32,8 @@ bool is_split_safe(const MeshPair& mesh, const EdgeSplit& split, const SplitSett
 int split_edges(MeshPair& mesh, const std::vector<MovingDirection>& directions,
                 const SplitSettings& settings);
 
+/// Splits every edge that may be split in its middle, which makes about four triangles of one.
+/// Returns the number of splits; `settings.most_splits` does not count.
+int split_all_edges(MeshPair& mesh, const SplitSettings& settings);
+
 }  // namespace foldless

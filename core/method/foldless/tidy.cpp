@@ -14,6 +14,13 @@ constexpr int kMostRounds = 3;
 constexpr double kRiseOfAVertex = 1e-2;
 /// By which part a round may raise E Kᵉ in the end.
 constexpr double kRiseOfARound = 1e-2;
+/// A mesh that was refined has more vertices than anybody asked for, and a lower E for it: while
+/// more than this part of the original ones was added,
+constexpr double kCrowded = 0.1;
+/// they go for more of it.
+constexpr int kMostCrowdedRounds = 10;
+constexpr double kRiseOfACrowdedVertex = 0.1;
+constexpr double kRiseOfACrowdedRound = 1;
 /// σ₁/σ₂ from which a triangle counts as crushed.
 constexpr double kCrushed = 1e3;
 constexpr double kLargeExponent = 0.2;
@@ -33,19 +40,28 @@ Progress Tidy::step(Workspace& workspace, std::stop_token token, VertexUpdate& u
   return begin_uncrushing(workspace) ? Progress::running : Progress::arrived;
 }
 
+bool Tidy::is_crowded(const MeshPair& mesh) const {
+  return mesh.vertex_count() > (1 + kCrowded) * first_removable_;
+}
+
 bool Tidy::collapse(Workspace& workspace) {
   if (first_removable_ >= workspace.mesh.vertex_count()) return false;
   const double merit = settle_.merit_of(workspace);
-  if (before_ && !(merit <= (1 + kRiseOfARound) * before_->merit)) {
+  const double rise = before_ && is_crowded(before_->mesh) ? kRiseOfACrowdedRound : kRiseOfARound;
+  if (before_ && !(merit <= (1 + rise) * before_->merit)) {
     workspace.set_mesh(std::move(before_->mesh));
     return false;
   }
-  if (rounds_++ >= kMostRounds) return false;
+  const bool crowded = is_crowded(workspace.mesh);
+  if (rounds_++ >= (crowded ? kMostCrowdedRounds : kMostRounds)) return false;
   before_ = Before{workspace.mesh, merit};
-  return workspace.collapse_edges({.energy = workspace.system.objective().settings(),
-                                   .first_removable = first_removable_,
-                                   .largest_rise = kRiseOfAVertex * settle_.energy_of(workspace),
-                                   .largest_distortion = kCrushed}) > 0;
+  return workspace.collapse_edges(
+             {.energy = workspace.system.objective().settings(),
+              .first_removable = first_removable_,
+
+              .largest_rise =
+                  (crowded ? kRiseOfACrowdedVertex : kRiseOfAVertex) * settle_.energy_of(workspace),
+              .largest_distortion = kCrushed}) > 0;
 }
 
 bool Tidy::begin_uncrushing(Workspace& workspace) {

@@ -25,6 +25,7 @@ class Tidy {
     double merit;  ///< E Kᵉ
   };
 
+  bool is_crowded(const MeshPair& mesh) const;
   bool collapse(Workspace& workspace);
   bool begin_uncrushing(Workspace& workspace);
 

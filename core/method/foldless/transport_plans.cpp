@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 
 namespace foldless {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 /// Handles that turn together by more than this travel in spirals first. [rad]
 constexpr double kTurn = 0.5;
 constexpr double kShortStride = 0.02;
+/// Of every second pair of those in a random order.
+constexpr double kMediumStride = 0.03;
 
 std::vector<std::vector<int>> together(int handles) {
   std::vector<int> all(static_cast<std::size_t>(handles));
@@ -36,19 +39,31 @@ std::vector<std::vector<int>> nearest_first(const Points& starts, const Points& 
   return groups;
 }
 
+std::vector<std::vector<int>> shuffled(std::vector<std::vector<int>> groups, std::mt19937& random) {
+  // Not std::shuffle, whose result every standard library is free to choose.
+  for (std::size_t left = groups.size() - 1; left > 1; --left)
+    std::swap(groups[left - 1], groups[random() % left]);
+  return groups;
+}
+
 }  // namespace
 
-std::vector<TransportPlan> transport_plans(const Points& starts, const Points& targets) {
+std::vector<TransportPlan> transport_plans(const Points& starts, const Points& targets,
+                                           int random_orders) {
   const auto all = together(static_cast<int>(starts.cols()));
   const bool turns = std::abs(HandlePaths::common_turn(starts, targets)) > kTurn;
   const PathKind first = turns ? PathKind::turning : PathKind::straight;
   const PathKind second = turns ? PathKind::straight : PathKind::turning;
-  return {{first, all},
-          {first, farthest_first(starts, targets)},
-          {second, all},
-          {first, nearest_first(starts, targets)},
-          {second, farthest_first(starts, targets)},
-          {first, all, kShortStride}};
+  const auto in_turn = farthest_first(starts, targets);
+  std::vector<TransportPlan> plans = {{first, all},      {first, in_turn},
+                                      {second, all},     {first, nearest_first(starts, targets)},
+                                      {second, in_turn}, {first, all, kShortStride}};
+  if (in_turn.size() <= 3) return plans;  // two handles have no other order
+  std::mt19937 random(1);
+  for (int i = 0; i < random_orders; ++i)
+    plans.push_back({i % 2 == 0 ? first : second, shuffled(in_turn, random),
+                     i % 4 < 2 ? TransportPlan().stride : kMediumStride});
+  return plans;
 }
 
 }  // namespace foldless

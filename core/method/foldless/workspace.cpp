@@ -18,6 +18,12 @@ constexpr double kShortestHalf = 1e-5;
 /// E_d + E_b may grow by this factor when handles are put on their targets.
 constexpr double kGrowthOfASnap = 1.5;
 
+SplitSettings split_settings(const Workspace& workspace) {
+  return {.shortest_edge = kShortestHalf,
+          .delta = workspace.system.objective().settings().delta,
+          .fixed_boundary = workspace.fixed_boundary};
+}
+
 }  // namespace
 
 VertexUpdate Workspace::descend(const Positions& aimed, std::stop_token token) {
@@ -44,13 +50,15 @@ int Workspace::flip_edges(double least_gain) {
 }
 
 int Workspace::split_edges(const std::vector<MovingDirection>& directions) {
-  const int split = foldless::split_edges(mesh, directions,
-                                          {.shortest_edge = kShortestHalf,
-                                           .delta = system.objective().settings().delta,
-                                           .fixed_boundary = fixed_boundary});
+  const int split = foldless::split_edges(mesh, directions, split_settings(*this));
   if (split > 0) system.rebuild(mesh, positions, split);
   splits += split;
   return split;
+}
+
+void Workspace::refine() {
+  splits += split_all_edges(mesh, split_settings(*this));
+  system.rebuild(mesh, positions, mesh.edge_count());
 }
 
 int Workspace::collapse_edges(const CollapseSettings& settings) {

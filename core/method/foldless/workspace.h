@@ -46,6 +46,8 @@ struct Workspace {
   int flip_edges(double least_gain = 0);
   /// Splits the edges in the way; returns how many. See split_edges() of core/remesh.
   int split_edges(const std::vector<MovingDirection>& directions);
+  /// Splits every edge in its middle.
+  void refine();
   /// Returns how many vertices were removed; see collapse_edges() of core/remesh.
   int collapse_edges(const CollapseSettings& settings);
   /// Takes another mesh with the same handle vertices.

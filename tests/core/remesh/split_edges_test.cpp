@@ -164,5 +164,26 @@ TEST(SplitEdges, LeavesBoundaryEdgesBetweenFixedVertices) {
   EXPECT_EQ(splits_with({1, 2}), 0) << "the edge in the way";
 }
 
+TEST(SplitAllEdges, SplitsEveryEdgeOnceAndDoesNotChangeTheMap) {
+  MeshPair mesh = figure_16();
+  Points u = mesh.rest();
+  u.row(0) += 0.3 * u.row(1);
+  mesh.set_deformed(u);
+  const Mat2 J = deformation_gradient(mesh.rest(), mesh.deformed(), mesh.triangles().col(0));
+  const int vertices = mesh.vertex_count(), edges = mesh.edge_count();
+  EXPECT_EQ(split_all_edges(mesh, {}), edges);
+  EXPECT_EQ(mesh.vertex_count(), vertices + edges);
+  for (const auto& t : mesh.triangles().colwise())
+    EXPECT_NEAR((deformation_gradient(mesh.rest(), mesh.deformed(), t) - J).norm(), 0, 1e-12);
+  EXPECT_TRUE(is_injective(mesh.triangles(), mesh.rest(), mesh.deformed()));
+}
+
+TEST(SplitAllEdges, LeavesBoundaryEdgesBetweenFixedVertices) {
+  const test::Fixture square = test::unit_square();
+  MeshPair mesh(square.triangles, square.rest);
+  const std::vector<int> corners{0, 1, 2, 3};
+  EXPECT_EQ(split_all_edges(mesh, {.fixed_boundary = corners}), 1) << "the diagonal";
+}
+
 }  // namespace
 }  // namespace foldless

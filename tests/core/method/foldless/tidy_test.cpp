@@ -67,5 +67,24 @@ TEST(Tidy, WithoutVerticesToRemoveItIsSettle) {
   }
 }
 
+TEST(Tidy, OfARefinedMeshKeepsFewOfTheAddedVertices) {
+  int added = 0, original = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Workspace workspace = arrived_workspace(seed);
+    const int kept = workspace.mesh.vertex_count();
+    workspace.refine();
+    ASSERT_GT(workspace.mesh.vertex_count(), 2 * kept);
+    Tidy tidy(workspace, kept);
+    VertexUpdate update;
+    while (tidy.step(workspace, {}, update) == Progress::running)
+      ASSERT_TRUE(test::is_valid(workspace.mesh));
+    EXPECT_TRUE(test::is_valid(workspace.mesh));
+    added += workspace.mesh.vertex_count() - kept;
+    original += kept;
+  }
+  EXPECT_LE(added, 0.2 * original) << "of " << original;
+}
+
 }  // namespace
 }  // namespace foldless
