@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/mesh/quality.h"
 #include "core/method/foldless/infeasible.h"
 #include "core/method/foldless/transport_plans.h"
 #include "core/method/record.h"
@@ -19,8 +20,16 @@ constexpr double kGainOfASplitRound = 0.9;
 /// seconds then.
 constexpr int kLargestInManyOrders = 5000;
 constexpr int kRandomOrders = 16;
-/// One of so many is refined when nothing else helped.
+/// One of so many is refined when nothing else helped,
 constexpr int kLargestRefined = 2000;
+/// and other ways are tried where triangles are crushed: σ₁/σ₂ from which they count as that, and
+/// how many.
+constexpr double kCrushed = 1e3;
+constexpr int kAttemptsWhenCrushed = 6;
+
+double largest_distortion(const MeshPair& mesh) {
+  return quality_of(mesh.triangles(), mesh.rest(), mesh.deformed()).max_conformal_distortion;
+}
 
 EnergySettings own_energy(const Problem& problem) {
   EnergySettings settings;
@@ -73,6 +82,8 @@ void Foldless::set_targets(const Points& targets) {
   work_.positions.targets = targets;
   is_drag_ = true;
   verdict_.clear();
+  satisfied_.reset();
+  attempts_when_crushed_ = 0;
   stage_ = first_stage();
   split_rounds_ = 0;
   attempts_ = 0;
@@ -158,7 +169,7 @@ std::optional<Iteration> Foldless::settle(Tidy& stage, std::stop_token token) {
   if (progress == Progress::cancelled) return std::nullopt;
   Iteration iteration = record(work_, update, stage.positions());
   iteration.phase = Phase::settle;
-  if (progress != Progress::running) outcome_ = Outcome::gradient;
+  if (progress != Progress::running) after_tidying();
   return iteration;
 }
 
@@ -170,6 +181,22 @@ void Foldless::after_locked_pursuit() {
     attempts_ = 1;  // an approach from rest
   }
   stage_ = Approach(work_);
+}
+
+// Where triangles are crushed another way may end in a better mesh; the best one stays.
+void Foldless::after_tidying() {
+  const double distortion = largest_distortion(work_.mesh);
+  if (!satisfied_ || distortion < largest_distortion(satisfied_->mesh)) satisfied_ = work_;
+  if (distortion >= kCrushed && !is_drag_ && initial_.face_count() <= kLargestRefined)
+    begin_next_attempt();
+  else
+    end_satisfied();
+}
+
+void Foldless::end_satisfied() {
+  satisfied_->take_counts(work_);
+  work_ = *std::exchange(satisfied_, std::nullopt);
+  outcome_ = Outcome::gradient;
 }
 
 void Foldless::after_locked_approach() {
@@ -220,6 +247,10 @@ MeshPair Foldless::at_rest() const {
 }
 
 void Foldless::begin_next_attempt() {
+  if (satisfied_ && attempts_when_crushed_++ >= kAttemptsWhenCrushed) {
+    end_satisfied();
+    return;
+  }
   Workspace work = work_;
   work.set_mesh(at_rest());
   if (attempts_++ == 0) {
@@ -234,7 +265,10 @@ void Foldless::begin_next_attempt() {
   const std::size_t next = attempts_ - 2;
   const bool is_refined = next >= plans.size();
   if (next >= 2 * plans.size() || (is_refined && faces > kLargestRefined)) {
-    outcome_ = Outcome::step;
+    if (satisfied_)
+      end_satisfied();
+    else
+      outcome_ = Outcome::step;
     return;
   }
   if (is_refined) work.refine();

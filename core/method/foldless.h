@@ -28,7 +28,8 @@ namespace foldless {
 ///
 /// Where the whole boundary of a component is held its edges are not split, and an approach that
 /// locks ends as Outcome::infeasible if why_infeasible() has a proof, with its sentence for
-/// verdict(); the mesh is as near as the approach brought it.
+/// verdict(); the mesh is as near as the approach brought it. A mesh with crushed triangles is not
+/// the last word: some more ways are tried, and the best mesh stays.
 class Foldless final : public Method {
  public:
   /// β per unit rest area: independent of the number of triangles, unlike the paper's.
@@ -61,6 +62,8 @@ class Foldless final : public Method {
   std::optional<Iteration> pursue(Pursue& stage, std::stop_token token);
   std::optional<Iteration> settle(Tidy& stage, std::stop_token token);
   Iteration record(Workspace& work, const VertexUpdate& update, const Positions& positions);
+  void after_tidying();
+  void end_satisfied();
   void after_locked_pursuit();
   void after_locked_approach();
   void after_locked_attempt(Attempt& attempt);
@@ -82,8 +85,10 @@ class Foldless final : public Method {
   std::string verdict_;
   int inner_ = 0;
   int split_rounds_ = 0;
-  std::size_t attempts_ = 0;  ///< since the targets moved
-  double locked_error_ = 0;   ///< ‖P‖² when the approach locked last
+  std::size_t attempts_ = 0;            ///< since the targets moved
+  std::optional<Workspace> satisfied_;  ///< the best so far, while more is tried
+  int attempts_when_crushed_ = 0;
+  double locked_error_ = 0;  ///< ‖P‖² when the approach locked last
   double seconds_ = 0;
 };
 

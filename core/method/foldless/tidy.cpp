@@ -58,7 +58,6 @@ bool Tidy::collapse(Workspace& workspace) {
   return workspace.collapse_edges(
              {.energy = workspace.system.objective().settings(),
               .first_removable = first_removable_,
-
               .largest_rise =
                   (crowded ? kRiseOfACrowdedVertex : kRiseOfAVertex) * settle_.energy_of(workspace),
               .largest_distortion = kCrushed}) > 0;
