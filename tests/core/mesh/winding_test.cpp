@@ -16,11 +16,11 @@ Points polygon(const std::vector<Vec2>& corners) {
   return points;
 }
 
-const Points kSquare = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+const Points kUnitSquare = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
 
 TEST(TurningNumber, IsOneForSimplePolygonsAndMinusOneTheOtherWayRound) {
-  EXPECT_EQ(turning_number(kSquare), 1);
-  EXPECT_EQ(turning_number(kSquare.rowwise().reverse()), -1);
+  EXPECT_EQ(turning_number(kUnitSquare), 1);
+  EXPECT_EQ(turning_number(kUnitSquare.rowwise().reverse()), -1);
   EXPECT_EQ(turning_number(polygon({{0, 0}, {2, 0}, {4, 0}, {4, 3}, {2, 1}, {0, 3}})), 1);
 }
 
@@ -58,17 +58,17 @@ TEST(TurningNumber, IsTheSumOfTheExteriorAngles) {
 }
 
 TEST(LeastWindingBeside, IsTheWindingNumberOffThePolygons) {
-  EXPECT_EQ(least_winding_beside({kSquare}, Vec2(0.5, 0.25)), 1);
-  EXPECT_EQ(least_winding_beside({kSquare}, Vec2(-1, 0)), 0);
-  EXPECT_EQ(least_winding_beside({kSquare}, Vec2(2, 1)), 0);
-  EXPECT_EQ(least_winding_beside({kSquare.rowwise().reverse()}, Vec2(0.5, 0.5)), -1);
-  EXPECT_EQ(least_winding_beside({kSquare, 3 * kSquare}, Vec2(0.5, 0.5)), 2);
+  EXPECT_EQ(least_winding_beside({kUnitSquare}, Vec2(0.5, 0.25)), 1);
+  EXPECT_EQ(least_winding_beside({kUnitSquare}, Vec2(-1, 0)), 0);
+  EXPECT_EQ(least_winding_beside({kUnitSquare}, Vec2(2, 1)), 0);
+  EXPECT_EQ(least_winding_beside({kUnitSquare.rowwise().reverse()}, Vec2(0.5, 0.5)), -1);
+  EXPECT_EQ(least_winding_beside({kUnitSquare, 3 * kUnitSquare}, Vec2(0.5, 0.5)), 2);
 }
 
 TEST(LeastWindingBeside, IsThatOfTheOutsideOnEdgesAndConvexCorners) {
   for (const Vec2& p : {Vec2(0.5, 0), Vec2(1, 0.5), Vec2(0.5, 1), Vec2(0, 0.5), Vec2(0, 0),
                         Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
-    EXPECT_EQ(least_winding_beside({kSquare}, p), 0) << p.transpose();
+    EXPECT_EQ(least_winding_beside({kUnitSquare}, p), 0) << p.transpose();
 }
 
 TEST(LeastWindingBeside, SeesOneUlp) {
@@ -98,11 +98,11 @@ TEST(LeastWindingBeside, IsTheAngleThePolygonsTurnByRoundThePoint) {
 }
 
 TEST(IsAreaNegative, IsSaidOfThoseAloneThatAreSoWhateverTheRounding) {
-  const Points back = kSquare.rowwise().reverse();
+  const Points back = kUnitSquare.rowwise().reverse();
   EXPECT_TRUE(is_area_negative({back}));
-  EXPECT_FALSE(is_area_negative({kSquare}));
-  EXPECT_FALSE(is_area_negative({kSquare, back}));
-  EXPECT_TRUE(is_area_negative({kSquare, 2 * back}));
+  EXPECT_FALSE(is_area_negative({kUnitSquare}));
+  EXPECT_FALSE(is_area_negative({kUnitSquare, back}));
+  EXPECT_TRUE(is_area_negative({kUnitSquare, 2 * back}));
   const Points far = back.colwise() + Vec2(1e9, 1e9);
   EXPECT_FALSE(is_area_negative({far})) << "an area of 1 among products of 1e18 is not known";
 }
