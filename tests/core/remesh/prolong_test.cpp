@@ -25,10 +25,10 @@ EnergySettings energy(double delta = 1e-5) {
   return settings;
 }
 
-MeshPair mesh_of(const Shape& shape) { return {shape.triangles, shape.rest}; }
+MeshPair pair_of_shape(const Shape& shape) { return {shape.triangles, shape.rest}; }
 
 MeshPair fine_grid(int cells = 24) {
-  return mesh_of(grid({.columns = cells, .rows = cells, .diagonal = Diagonal::alternating}));
+  return pair_of_shape(grid({.columns = cells, .rows = cells, .diagonal = Diagonal::alternating}));
 }
 
 /// Moves the vertices of the coarse mesh one by one, nearly as far as its triangles let them.
@@ -107,7 +107,7 @@ TEST(Prolonged, RandomMeshesComeOutValidWithTheirSharedVerticesInPlace) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
-    const MeshPair fine = mesh_of(test::random_shape(random));
+    const MeshPair fine = pair_of_shape(test::random_shape(random));
     CoarseMesh coarse = coarsened(fine, {}, fine.vertex_count() / 2);
     crease(coarse, random);
     const auto result = prolonged(coarse, fine, energy());
@@ -122,7 +122,7 @@ TEST(Prolonged, RandomMeshesComeOutValidWithTheirSharedVerticesInPlace) {
 
 TEST(Prolonged, ADomainThatLiesOverItselfKeepsItsSheetsApart) {
   const int columns = 240;
-  const MeshPair fine = mesh_of(test::wound_strip(columns, 12, 2.5));
+  const MeshPair fine = pair_of_shape(test::wound_strip(columns, 12, 2.5));
   CoarseMesh coarse = coarsened(fine, {}, 900);
   // Unwound: where a vertex goes tells its sheet.
   const auto unwound = [&](int v) { return Vec2(v % (columns + 1), v / (columns + 1)); };

@@ -15,7 +15,7 @@
 namespace foldless {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 /// What is said when the boundary of `mesh` and the vertices of `inside` go to `targets`, given by
 /// vertex; empty when nothing is.
@@ -124,7 +124,7 @@ void expect_feasible(const MeshPair& mesh, std::mt19937_64& random) {
   ASSERT_TRUE(test::is_valid(mesh)) << "the claim is about locally injective maps";
   const std::vector<int> inside = some_inside(mesh, random);
   EXPECT_EQ(said_of(mesh, inside, mesh.deformed()), "");
-  std::uniform_real_distribution<double> angle(0, 2 * kPi);
+  std::uniform_real_distribution<double> angle(0, 2 * kHalfTurn);
   const Points turned = Eigen::Rotation2Dd(angle(random)).toRotationMatrix() * mesh.deformed();
   EXPECT_TRUE(!is_injective(mesh.triangles(), turned) || said_of(mesh, inside, turned).empty());
 }
@@ -145,7 +145,7 @@ TEST(WhyInfeasible, IsNeverSaidOfStripsWoundUp) {
     std::uniform_real_distribution<double> unit(0, 1);
     const Shape shape = bar(20, 1, 2);
     // Half of them go round the same circle, the others along a spiral that may cross itself.
-    const double per_length = 4.5 * kPi / 20 * unit(random);
+    const double per_length = 4.5 * kHalfTurn / 20 * unit(random);
     const double growth = seed % 2 == 0 ? 0 : 0.05 * unit(random);
     Points wound = shape.rest;
     for (auto p : wound.colwise()) {
@@ -187,7 +187,7 @@ TEST(WhyInfeasible, IsNeverSaidOfABoundaryAngleOfMoreThanAFullTurn) {
     for (int k = 0; k <= n; ++k) {
       const double part = static_cast<double>(k) / n;
       rest.col(k + 1) = Vec2(std::cos(3 * part), std::sin(3 * part));
-      const double angle = 2 * kPi * turns * part;
+      const double angle = 2 * kHalfTurn * turns * part;
       spread.col(k + 1) =
           spread.col(0) + (0.5 + unit(random)) * Vec2(std::cos(angle), std::sin(angle));
       if (k < n) triangles.col(k) << 0, k + 1, k + 2;
