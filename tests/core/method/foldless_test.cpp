@@ -157,7 +157,7 @@ Problem with_idle_triangle(Problem problem) {
 
 TEST(Foldless, AComponentWithoutAHandleStaysWhereItIsWhateverIsTried) {
   int transports = 0;
-  for (const std::uint64_t seed : {1, 2, 4, 5, 7, 8}) {
+  for (const std::uint64_t seed : {1, 2, 4}) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Problem problem = with_idle_triangle(trading_places(seed));
     Foldless method(problem);
@@ -267,7 +267,7 @@ TEST(Foldless, TargetsThatComeBackWithinReachAreReached) {
 
 TEST(Foldless, TheHeldBoundaryIsNotSplit) {
   int splits = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 14; ++seed) {
     if (seed % 3 == 0) continue;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Foldless method(trading_places(seed));
