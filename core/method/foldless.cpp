@@ -22,9 +22,7 @@ constexpr int kLargestInManyOrders = 5000;
 constexpr int kRandomOrders = 16;
 /// One of so many is refined when nothing else helped,
 constexpr int kLargestRefined = 2000;
-/// and other ways are tried where triangles are crushed: σ₁/σ₂ from which they count as that, and
-/// how many.
-constexpr double kCrushed = 1e3;
+/// and so many other ways are tried where triangles are crushed.
 constexpr int kAttemptsWhenCrushed = 6;
 
 double largest_distortion(const MeshPair& mesh) {
@@ -187,7 +185,7 @@ void Foldless::after_locked_pursuit() {
 void Foldless::after_tidying() {
   const double distortion = largest_distortion(work_.mesh);
   if (!satisfied_ || distortion < largest_distortion(satisfied_->mesh)) satisfied_ = work_;
-  if (distortion >= kCrushed && !is_drag_ && initial_.face_count() <= kLargestRefined)
+  if (distortion >= Tidy::kCrushed && !is_drag_ && initial_.face_count() <= kLargestRefined)
     begin_next_attempt();
   else
     end_satisfied();

@@ -21,8 +21,6 @@ constexpr double kCrowded = 0.1;
 constexpr int kMostCrowdedRounds = 10;
 constexpr double kRiseOfACrowdedVertex = 0.1;
 constexpr double kRiseOfACrowdedRound = 1;
-/// σ₁/σ₂ from which a triangle counts as crushed.
-constexpr double kCrushed = 1e3;
 constexpr double kLargeExponent = 0.2;
 
 }  // namespace

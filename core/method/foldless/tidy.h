@@ -12,6 +12,9 @@ namespace foldless {
 /// Where a triangle is still crushed then, it settles once more with a larger exponent.
 class Tidy {
  public:
+  /// σ₁/σ₂ from which a triangle counts as crushed.
+  static constexpr double kCrushed = 1e3;
+
   /// Vertices of index `first_removable` or more are no handles and may go.
   Tidy(Workspace& workspace, int first_removable);
   Progress step(Workspace& workspace, std::stop_token token, VertexUpdate& update);
