@@ -183,9 +183,16 @@ void Foldless::after_locked_pursuit() {
 
 // Where triangles are crushed another way may end in a better mesh; the best one stays.
 void Foldless::after_tidying() {
-  const double distortion = largest_distortion(work_.mesh);
-  if (!satisfied_ || distortion < largest_distortion(satisfied_->mesh)) satisfied_ = work_;
-  if (distortion >= Tidy::kCrushed && !is_drag_ && initial_.face_count() <= kLargestRefined)
+  const bool tries_more = !is_drag_ && initial_.face_count() <= kLargestRefined &&
+                          largest_distortion(work_.mesh) >= Tidy::kCrushed;
+  if (!satisfied_ && !tries_more) {
+    // A copy would lose the factor that a drag goes on with.
+    outcome_ = Outcome::gradient;
+    return;
+  }
+  if (!satisfied_ || largest_distortion(work_.mesh) < largest_distortion(satisfied_->mesh))
+    satisfied_ = work_;
+  if (tries_more)
     begin_next_attempt();
   else
     end_satisfied();
