@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "core/energy/determinant.h"
-
 namespace foldless {
 
 // With p = J₀₀ + J₁₁ and q = J₁₀ − J₀₁ the signed singular values add up to r = √(p² + q²), the
@@ -13,21 +11,25 @@ namespace foldless {
 double arap_value(const Mat2& J) {
   const double p = J(0, 0) + J(1, 1);
   const double q = J(1, 0) - J(0, 1);
-  const double r = std::sqrt(p * p + q * q);
+  const double inverse = 1 / std::sqrt(p * p + q * q);
+  const double cosine = p * inverse, sine = q * inverse;
   Mat2 R;
-  R << p / r, -q / r, q / r, p / r;
+  R << cosine, -sine, sine, cosine;
   return 0.5 * (J - R).squaredNorm();
 }
 
+// r² = ‖J‖² + 2 det, so ∇r = (j + g)/r and ∇²r = (I + D − ∇r ∇rᵀ)/r.
 DensityDerivatives arap_derivatives(const Mat2& J) {
   const double p = J(0, 0) + J(1, 1);
   const double q = J(1, 0) - J(0, 1);
-  const double r = std::sqrt(p * p + q * q);
-  const Eigen::Vector4d r_gradient = Eigen::Vector4d(p, q, -q, p) / r;
-  // ∇²r = (e_p e_pᵀ + e_q e_qᵀ − ∇r ∇rᵀ)/r = n nᵀ/r with n ⊥ ∇r in the span of e_p and e_q.
-  const Eigen::Vector4d normal = Eigen::Vector4d(-q, p, -p, -q) / r;
-  return {arap_value(J), vec(J) - r_gradient,
-          Eigen::Matrix4d::Identity() - normal * normal.transpose() / r};
+  const double inverse = 1 / std::sqrt(p * p + q * q);
+  const double cube = inverse * inverse * inverse;
+  return {.value = arap_value(J),
+          .norm = 1 - inverse,
+          .det = -inverse,
+          .norm_norm = cube,
+          .norm_det = cube,
+          .det_det = cube};
 }
 
 }  // namespace foldless

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <optional>
 
-#include "core/mesh/triangle.h"
+#include "core/energy/density.h"
 
 namespace foldless {
 
-/// The Hessian (4×4 over the columns of J) of an energy that is isotropic up to a linear term,
-/// without the part `clamping` of its negative curvature: 0 leaves it as it is, 1 gives the
-/// positive semidefinite matrix nearest to it. In the frame of the singular vectors of J such a
-/// Hessian falls into two 2×2 blocks, so no iteration is needed [SGK19].
-Eigen::Matrix4d clamped_hessian(const Eigen::Matrix4d& hessian, const Mat2& J, double clamping = 1);
+/// What makes a ∇²ψ positive semidefinite when it is added: minus its negative part, as a sum over
+/// an orthonormal basis of the 2×2 matrices J in which ∇²ψ is a 2×2 block and two numbers [SGK19].
+struct NegativeCurvature {
+  Mat2 rotation;             ///< R/√2, R the rotation closest to J
+  Mat2 reflection;           ///< E/√2, E the reflection closest to J
+  double of_rotation = 0;    ///< ≥ 0, of the block of those two
+  double of_both = 0;        ///< the entry beside the diagonal
+  double of_reflection = 0;  ///< ≥ 0
+  double of_twist = 0;       ///< ≥ 0, of R/√2 turned by 90°
+  double of_flip = 0;        ///< ≥ 0, of E/√2 turned by 90°
+};
+
+/// Nothing where ∇²ψ is positive semidefinite.
+std::optional<NegativeCurvature> negative_curvature(const DensityDerivatives& density,
+                                                    const Mat2& J);
 
 }  // namespace foldless

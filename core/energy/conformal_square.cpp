@@ -10,15 +10,17 @@ double conformal_square_value(const Mat2& J) {
   return k * k;
 }
 
+// ∇k = (j − k g)/det and ∇²k = (I − g ∇kᵀ − ∇k gᵀ − k D)/det.
 DensityDerivatives conformal_square_derivatives(const Mat2& J) {
-  const Eigen::Vector4d j = vec(J);
-  const Eigen::Vector4d g = determinant_gradient(J);
-  const double d = 1 / determinant(J);
-  const double k = 0.5 * j.squaredNorm() * d;
-  const Eigen::Vector4d first = d * (j - k * g);
-  const Eigen::Matrix4d second = d * (Eigen::Matrix4d::Identity() - g * first.transpose() -
-                                      first * g.transpose() - k * determinant_hessian());
-  return {k * k, 2 * k * first, 2 * (k * second + first * first.transpose())};
+  const double inverse = 1 / determinant(J);
+  const double k = 0.5 * J.squaredNorm() * inverse;
+  const double inverse2 = inverse * inverse;
+  return {.value = k * k,
+          .norm = 2 * k * inverse,
+          .det = -2 * k * k * inverse,
+          .norm_norm = 2 * inverse2,
+          .norm_det = -4 * k * inverse2,
+          .det_det = 6 * k * k * inverse2};
 }
 
 }  // namespace foldless

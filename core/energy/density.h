@@ -8,11 +8,20 @@
 
 namespace foldless {
 
-/// Value and derivatives of ψ with respect to vec(J) = (J₀₀, J₁₀, J₀₁, J₁₁). [dimensionless]
+/// ψ and its derivatives with respect to vec(J) = (J₀₀, J₁₀, J₀₁, J₁₁), as coefficients: an
+/// isotropic ψ depends on J through ‖J‖² and det J alone, and with j = vec(J), g = ∂ det/∂j, D = ∂²
+/// det/∂j²
+///   ∇ψ  = norm j + det g + trace vec(I),
+///   ∇²ψ = norm I + det D + norm_norm j jᵀ + norm_det (j gᵀ + g jᵀ) + det_det g gᵀ.
+/// [dimensionless]
 struct DensityDerivatives {
   double value = 0;
-  Eigen::Vector4d gradient;
-  Eigen::Matrix4d hessian;
+  double norm = 0;
+  double det = 0;
+  double norm_norm = 0;
+  double norm_det = 0;
+  double det_det = 0;
+  double trace = 0;  ///< the one term that may not be isotropic
 };
 
 /// A distortion energy as its density ψ(J) per unit of rest area: one row of densities().

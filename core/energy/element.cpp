@@ -12,29 +12,76 @@
 namespace foldless {
 namespace {
 
-// The derivatives by the corners are those by vec(J) through J = Σ_j u_j ∇φ_jᵀ: the pair of rows
-// of column c of J and the pair of rows of corner j are joined by ∂_c φ_j.
+// The derivatives by the corners are those by J through J = Σ_j u_j ∇φ_jᵀ: moving corner j by s
+// changes J by s ∇φ_jᵀ. The ∇φ_j add up to zero, so those of corners 1 and 2 say all.
 
-Eigen::Matrix<double, 6, 1> gradient_by_corners(const RestElement& rest,
-                                                const Eigen::Vector4d& gradient) {
-  Eigen::Matrix<double, 6, 1> result;
-  for (int j = 0; j < 3; ++j)
-    result.segment<2>(2 * j) =
-        rest.gradients(0, j) * gradient.head<2>() + rest.gradients(1, j) * gradient.tail<2>();
+/// The blocks of corners 1 and 2 in the Hessian of a triangle.
+class CornerBlocks {
+ public:
+  /// For every pair of corners: x_j y_kᵀ. The sum of what is added has to be symmetric.
+  void add(const Mat2& x, const Mat2& y) {
+    b11_ += x.col(0) * y.col(0).transpose();
+    b12_ += x.col(0) * y.col(1).transpose();
+    b22_ += x.col(1) * y.col(1).transpose();
+  }
+  /// ∇φ_j · ∇φ_k times I, and ∇φ_j × ∇φ_k times a quarter turn.
+  void add(double of_identity, double of_determinant, const Mat2& gradients) {
+    b11_.diagonal().array() += of_identity * gradients.col(0).squaredNorm();
+    b12_.diagonal().array() += of_identity * gradients.col(0).dot(gradients.col(1));
+    b22_.diagonal().array() += of_identity * gradients.col(1).squaredNorm();
+    const double cross = of_determinant * determinant(gradients);
+    b12_(0, 1) += cross;
+    b12_(1, 0) -= cross;
+  }
+
+  Eigen::Matrix<double, 6, 6> of_all_corners() const {
+    const Mat2 b01 = -(b11_ + b12_.transpose()), b02 = -(b12_ + b22_);
+    Eigen::Matrix<double, 6, 6> all;
+    all << -(b01 + b02), b01, b02,    //
+        b01.transpose(), b11_, b12_,  //
+        b02.transpose(), b12_.transpose(), b22_;
+    return all;
+  }
+
+ private:
+  Mat2 b11_ = Mat2::Zero(), b12_ = Mat2::Zero(), b22_ = Mat2::Zero();
+};
+
+Mat2 turned(const Mat2& vectors) {
+  Mat2 result;
+  result << -vectors.row(1), vectors.row(0);
   return result;
 }
 
-Eigen::Matrix<double, 6, 6> hessian_by_corners(const RestElement& rest,
-                                               const Eigen::Matrix4d& hessian) {
-  Eigen::Matrix<double, 6, 6> result;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Matrix<double, 4, 2> column = rest.gradients(0, k) * hessian.leftCols<2>() +
-                                               rest.gradients(1, k) * hessian.rightCols<2>();
-    for (int j = 0; j < 3; ++j)
-      result.block<2, 2>(2 * j, 2 * k) = rest.gradients(0, j) * column.topRows<2>() +
-                                         rest.gradients(1, j) * column.bottomRows<2>();
-  }
+Eigen::Matrix<double, 6, 1> gradient_by_corners(const Mat2& gradients, const DensityDerivatives& d,
+                                                const Mat2& J) {
+  const Mat2 by_J = d.norm * J + d.det * cofactors(J) + d.trace * Mat2::Identity();
+  const Mat2 by_corners = by_J * gradients;
+  Eigen::Matrix<double, 6, 1> result;
+  result << -by_corners.rowwise().sum(), by_corners.col(0), by_corners.col(1);
   return result;
+}
+
+void add_negative_curvature(const NegativeCurvature& c, double part, const Mat2& gradients,
+                            CornerBlocks& blocks) {
+  const Mat2 r = c.rotation * gradients, e = c.reflection * gradients;
+  blocks.add(part * (c.of_rotation * r + c.of_both * e), r);
+  blocks.add(part * (c.of_both * r + c.of_reflection * e), e);
+  blocks.add(part * c.of_twist * turned(r), turned(r));
+  blocks.add(part * c.of_flip * turned(e), turned(e));
+}
+
+Eigen::Matrix<double, 6, 6> hessian_by_corners(const Mat2& gradients, const DensityDerivatives& d,
+                                               const Mat2& J, double clamping) {
+  CornerBlocks blocks;
+  const Mat2 j = J * gradients, g = cofactors(J) * gradients;
+  blocks.add(d.norm_norm * j + d.norm_det * g, j);
+  blocks.add(d.norm_det * j + d.det_det * g, g);
+  blocks.add(d.norm, d.det, gradients);
+  if (clamping > 0)
+    if (const std::optional<NegativeCurvature> negative = negative_curvature(d, J))
+      add_negative_curvature(*negative, clamping, gradients, blocks);
+  return blocks.of_all_corners();
 }
 
 double distortion_weight(const EnergySettings& settings, const RestElement& rest) {
@@ -45,29 +92,34 @@ double barrier_weight(const EnergySettings& settings, const RestElement& rest) {
   return settings.barrier_area_weighted ? settings.beta * rest.area : settings.beta;
 }
 
-/// Value and derivatives of weight·ψ + β χ with respect to vec(J).
+void add(double weight, const DensityDerivatives& density, DensityDerivatives& sum) {
+  sum.norm += weight * density.norm;
+  sum.det += weight * density.det;
+  sum.norm_norm += weight * density.norm_norm;
+  sum.norm_det += weight * density.norm_det;
+  sum.det_det += weight * density.det_det;
+  sum.trace += weight * density.trace;
+}
+
+/// Derivatives of weight·ψ + β χ, and of the conformal term; the values go to `energy`.
 DensityDerivatives weighted_derivatives(const EnergySettings& settings, const RestElement& rest,
                                         const Mat2& J, ElementEnergy& energy) {
+  DensityDerivatives sum;
+  const DensityDerivatives density = settings.density->derivatives(J);
   const double weight = distortion_weight(settings, rest);
-  DensityDerivatives d = settings.density->derivatives(J);
-  energy.distortion = weight * d.value;
-  d.gradient *= weight;
-  d.hessian *= weight;
+  energy.distortion = weight * density.value;
+  add(weight, density, sum);
   const BarrierDerivatives chi = barrier_derivatives(determinant(J), settings.delta);
   const double beta = barrier_weight(settings, rest);
   energy.barrier = beta * chi.value;
-  if (chi.value > 0) {
-    const Eigen::Vector4d g = determinant_gradient(J);
-    d.gradient += beta * chi.first * g;
-    d.hessian += beta * (chi.second * g * g.transpose() + chi.first * determinant_hessian());
-  }
+  sum.det += beta * chi.first;
+  sum.det_det += beta * chi.second;
   if (settings.conformal_weight > 0) {
     const DensityDerivatives square = conformal_square_derivatives(J);
     energy.barrier += settings.conformal_weight * square.value;
-    d.gradient += settings.conformal_weight * square.gradient;
-    d.hessian += settings.conformal_weight * square.hessian;
+    add(settings.conformal_weight, square, sum);
   }
-  return d;
+  return sum;
 }
 
 }  // namespace
@@ -85,12 +137,6 @@ RestElement rest_element(const EnergySettings& settings, const Corners& rest) {
   equilateral << 0, side, 0.5 * side,  //
       0, 0, 0.5 * std::sqrt(3.0) * side;
   return rest_element(equilateral);
-}
-
-Mat2 deformation_gradient(const RestElement& rest, const Corners& deformed) {
-  // The hat gradients add up to zero, so edge vectors do: no cancellation far from the origin.
-  return (deformed.col(1) - deformed.col(0)) * rest.gradients.col(1).transpose() +
-         (deformed.col(2) - deformed.col(0)) * rest.gradients.col(2).transpose();
 }
 
 ElementEnergy element_energy(const EnergySettings& settings, const RestElement& rest,
@@ -111,7 +157,7 @@ ElementGradient element_gradient(const EnergySettings& settings, const RestEleme
   ElementGradient result;
   const Mat2 J = deformation_gradient(rest, deformed);
   const DensityDerivatives d = weighted_derivatives(settings, rest, J, result.energy);
-  result.gradient = gradient_by_corners(rest, d.gradient);
+  result.gradient = gradient_by_corners(rest.gradients.rightCols<2>(), d, J);
   return result;
 }
 
@@ -119,10 +165,10 @@ ElementHessian element_hessian(const EnergySettings& settings, const RestElement
                                const Corners& deformed, double clamping) {
   ElementHessian result;
   const Mat2 J = deformation_gradient(rest, deformed);
-  DensityDerivatives d = weighted_derivatives(settings, rest, J, result.energy);
-  if (clamping > 0) d.hessian = clamped_hessian(d.hessian, J, clamping);
-  result.gradient = gradient_by_corners(rest, d.gradient);
-  result.hessian = hessian_by_corners(rest, d.hessian);
+  const Mat2 gradients = rest.gradients.rightCols<2>();
+  const DensityDerivatives d = weighted_derivatives(settings, rest, J, result.energy);
+  result.gradient = gradient_by_corners(gradients, d, J);
+  result.hessian = hessian_by_corners(gradients, d, J, clamping);
   return result;
 }
 

@@ -65,14 +65,18 @@ inline Corners corners_of(const Points& points, const Eigen::Vector3i& triangle)
   return corners;
 }
 /// J = Σ u_j ∇φ_jᵀ, from edge vectors.
-Mat2 deformation_gradient(const RestElement& rest, const Corners& deformed);
+inline Mat2 deformation_gradient(const RestElement& rest, const Corners& deformed) {
+  // The hat gradients add up to zero, so edge vectors do: no cancellation far from the origin.
+  return (deformed.col(1) - deformed.col(0)) * rest.gradients.col(1).transpose() +
+         (deformed.col(2) - deformed.col(0)) * rest.gradients.col(2).transpose();
+}
 
 ElementEnergy element_energy(const EnergySettings& settings, const RestElement& rest,
                              const Corners& deformed);
 /// Precondition: A′ > δA.
 ElementGradient element_gradient(const EnergySettings& settings, const RestElement& rest,
                                  const Corners& deformed);
-/// The Hessian is without the part `clamping` of its negative curvature; see clamped_hessian().
+/// The Hessian is without the part `clamping` of its negative curvature; see negative_curvature().
 /// Precondition: A′ > δA.
 ElementHessian element_hessian(const EnergySettings& settings, const RestElement& rest,
                                const Corners& deformed, double clamping = 0);

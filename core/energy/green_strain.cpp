@@ -10,14 +10,12 @@ double green_strain_value(const Mat2& J) {
 }
 
 DensityDerivatives green_strain_derivatives(const Mat2& J) {
-  // With n = ‖J‖²: ‖JᵀJ‖² = n² − 2 det², so ψ = n² − 2 det² − 2n + 2.
-  const Eigen::Vector4d j = vec(J);
-  const Eigen::Vector4d g = determinant_gradient(J);
-  const double n = j.squaredNorm();
-  const double det = determinant(J);
-  return {green_strain_value(J), 4 * (n - 1) * j - 4 * det * g,
-          8 * j * j.transpose() + 4 * (n - 1) * Eigen::Matrix4d::Identity() -
-              4 * g * g.transpose() - 4 * det * determinant_hessian()};
+  // ‖JᵀJ‖² = ‖J‖⁴ − 2 det², so ψ = ‖J‖⁴ − 2 det² − 2 ‖J‖² + 2.
+  return {.value = green_strain_value(J),
+          .norm = 4 * (J.squaredNorm() - 1),
+          .det = -4 * determinant(J),
+          .norm_norm = 8,
+          .det_det = -4};
 }
 
 }  // namespace foldless

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/energy/lscm.h"
 
-#include "core/energy/determinant.h"
-
 namespace foldless {
 
 double lscm_value(const Mat2& J) {
@@ -13,8 +11,7 @@ double lscm_value(const Mat2& J) {
 }
 
 DensityDerivatives lscm_derivatives(const Mat2& J) {
-  return {lscm_value(J), vec(J) - determinant_gradient(J),
-          Eigen::Matrix4d::Identity() - determinant_hessian()};
+  return {.value = lscm_value(J), .norm = 1, .det = -1};
 }
 
 }  // namespace foldless

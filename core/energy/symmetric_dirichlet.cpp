@@ -13,17 +13,14 @@ double symmetric_dirichlet_value(const Mat2& J) {
 }
 
 DensityDerivatives symmetric_dirichlet_derivatives(const Mat2& J) {
-  const Eigen::Vector4d j = vec(J);
-  const Eigen::Vector4d g = determinant_gradient(J);
-  const double n = j.squaredNorm();
-  const double det = determinant(J);
-  const double det2 = 1 / (det * det);
-  const double det3 = det2 / det;
-  const double det4 = det2 * det2;
-  return {symmetric_dirichlet_value(J), (1 + det2) * j - n * det3 * g,
-          (1 + det2) * Eigen::Matrix4d::Identity() -
-              2 * det3 * (j * g.transpose() + g * j.transpose()) +
-              3 * n * det4 * g * g.transpose() - n * det3 * determinant_hessian()};
+  const double n = J.squaredNorm();
+  const double inverse = 1 / determinant(J);
+  const double det2 = inverse * inverse, det3 = det2 * inverse;
+  return {.value = 0.5 * n * (1 + det2),
+          .norm = 1 + det2,
+          .det = -n * det3,
+          .norm_det = -2 * det3,
+          .det_det = 3 * n * det2 * det2};
 }
 
 }  // namespace foldless

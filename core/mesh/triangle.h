@@ -29,7 +29,7 @@ inline Eigen::Matrix<double, 2, 3> hat_gradients(const Vec2& a, const Vec2& b, c
   Eigen::Matrix<double, 2, 3> g;
   g << b.y() - c.y(), c.y() - a.y(), a.y() - b.y(),  //
       c.x() - b.x(), a.x() - c.x(), b.x() - a.x();
-  return g / (2 * area);
+  return g * (0.5 / area);
 }
 
 /// Deformation gradient J (2×2) of the affine map that takes rest triangle to deformed triangle.
@@ -40,7 +40,7 @@ inline Mat2 deformation_gradient(const Points& rest, const Points& deformed,
   d << deformed.col(t[1]) - deformed.col(t[0]), deformed.col(t[2]) - deformed.col(t[0]);
   Mat2 adjugate;
   adjugate << r(1, 1), -r(0, 1), -r(1, 0), r(0, 0);
-  return d * adjugate / (r(0, 0) * r(1, 1) - r(0, 1) * r(1, 0));
+  return d * adjugate * (1 / (r(0, 0) * r(1, 1) - r(0, 1) * r(1, 0)));
 }
 
 /// Singular values σ₁ ≥ |σ₂| of J; σ₂ carries the sign of det J.
