@@ -73,7 +73,6 @@ Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& 
   method_ = start_(std::move(unit));
 }
 
-// The mesh is built anew, so that its revision is its own.
 Problem Run::normalised(const Problem& problem) {
   const MeshPair& mesh = problem.mesh;
   const Points rest = normalisation_.to_unit_rest(mesh.rest());
@@ -87,8 +86,9 @@ Problem Run::normalised(const Problem& problem) {
     throw Error("the mesh is too large or too small for double precision; scale it");
   std::vector<Handle> handles = handles_;
   for (Handle& handle : handles) handle.target = normalisation_.to_unit(handle.target);
-  return {MeshPair(mesh.triangles(), rest, std::move(deformed)), energy_, std::move(handles),
-          parameters_, original_};
+  MeshPair unit = mesh;
+  unit.set_positions(rest, std::move(deformed));
+  return {std::move(unit), energy_, std::move(handles), parameters_, original_};
 }
 
 std::optional<Iteration> Run::step(std::stop_token token) {
