@@ -9,12 +9,12 @@ namespace {
 /// Height over the longest edge: below it rest triangles count as degenerate.
 constexpr double kLeastRelativeHeight = 1e-6;
 
-bool is_positive_at_rest(const MeshPair& mesh, const Eigen::Vector3i& t) {
+bool is_positive_at_rest(const MeshPair& mesh, const Eigen::Vector3i& t, double area) {
   const Corners rest = corners_of(mesh.rest(), t);
   const double longest = std::max({(rest.col(1) - rest.col(0)).squaredNorm(),
                                    (rest.col(2) - rest.col(1)).squaredNorm(),
                                    (rest.col(0) - rest.col(2)).squaredNorm()});
-  return 2 * signed_area(mesh.rest(), t) > kLeastRelativeHeight * longest;
+  return 2 * area > kLeastRelativeHeight * longest;
 }
 
 }  // namespace
@@ -30,14 +30,15 @@ TrianglePair flipped_triangles_of(const Diamond& diamond) {
 }
 
 bool is_positive_at_rest(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles) {
-  return std::ranges::all_of(
-      triangles, [&](const Eigen::Vector3i& t) { return is_positive_at_rest(mesh, t); });
+  return std::ranges::all_of(triangles, [&](const Eigen::Vector3i& t) {
+    return is_positive_at_rest(mesh, t, signed_area(mesh.rest(), t));
+  });
 }
 
 bool is_feasible(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles, double delta) {
   return std::ranges::all_of(triangles, [&](const Eigen::Vector3i& t) {
-    return is_positive_at_rest(mesh, t) &&
-           signed_area(mesh.deformed(), t) > delta * signed_area(mesh.rest(), t);
+    const double area = signed_area(mesh.rest(), t);
+    return signed_area(mesh.deformed(), t) > delta * area && is_positive_at_rest(mesh, t, area);
   });
 }
 
