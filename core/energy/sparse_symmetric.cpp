@@ -67,6 +67,31 @@ BlockPlace find_block(const SparseSymmetric& matrix, int i, int j) {
   return {first + 2 + 2 * rank, second + 1 + 2 * rank};
 }
 
+// The two columns of a node have the same rows below their diagonal block.
+void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  y.setZero(A.size());
+  for (int j = 0; j < A.nodes; ++j) {
+    const double* first =
+        &A.value[static_cast<std::size_t>(A.column_start[static_cast<std::size_t>(2 * j)])];
+    const double* second =
+        &A.value[static_cast<std::size_t>(A.column_start[static_cast<std::size_t>(2 * j) + 1])];
+    const double x0 = x[2 * j], x1 = x[2 * j + 1];
+    double y0 = first[0] * x0 + first[1] * x1, y1 = first[1] * x0 + second[0] * x1;
+    first += 2;
+    second += 1;
+    for (int k = A.graph_start[static_cast<std::size_t>(j)];
+         k < A.graph_start[static_cast<std::size_t>(j) + 1]; ++k, first += 2, second += 2) {
+      const int i = 2 * A.graph[static_cast<std::size_t>(k)];
+      y0 += first[0] * x[i] + first[1] * x[i + 1];
+      y1 += second[0] * x[i] + second[1] * x[i + 1];
+      y[i] += first[0] * x0 + second[0] * x1;
+      y[i + 1] += first[1] * x0 + second[1] * x1;
+    }
+    y[2 * j] += y0;
+    y[2 * j + 1] += y1;
+  }
+}
+
 void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,
                const Eigen::Matrix<double, 6, 6>& block) {
   for (int a = 0; a < 3; ++a)

@@ -35,6 +35,9 @@ struct BlockPlace {
 };
 BlockPlace find_block(const SparseSymmetric& matrix, int i, int j);
 
+/// y = A x.
+void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorXd& y);
+
 /// Adds the symmetric block of a triangle, whose corners are the nodes; a corner of node −1 has no
 /// rows in the matrix. Precondition: the pattern has the block.
 void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,

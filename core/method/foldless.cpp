@@ -186,7 +186,6 @@ void Foldless::after_tidying() {
   const bool tries_more = !is_drag_ && initial_.face_count() <= kLargestRefined &&
                           largest_distortion(work_.mesh) >= Tidy::kCrushed;
   if (!satisfied_ && !tries_more) {
-    // A copy would lose the factor that a drag goes on with.
     outcome_ = Outcome::gradient;
     return;
   }

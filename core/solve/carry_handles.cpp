@@ -36,10 +36,16 @@ Points moved(const MeshPair& mesh, const Positions& positions, const Points& ste
 VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
                            std::stop_token token) {
   system.assemble(mesh.deformed(), positions, 1);
-  const std::optional<double> mu = factorize_clamped(system, token);
-  if (!mu) return {.cancelled = token.stop_requested()};
-  VertexUpdate update{.mu = *mu};
-  const Points step = system.carrying_step(mesh.deformed(), way_of_handles(mesh, positions));
+  const Points way = way_of_handles(mesh, positions);
+  std::optional<LaggedStep> lagged = system.lagged_carrying_step(mesh.deformed(), way);
+  VertexUpdate update;
+  if (!lagged || lagged->is_indefinite) {
+    const std::optional<double> mu = factorize_clamped(system, token);
+    if (!mu) return {.cancelled = token.stop_requested()};
+    update.mu = *mu;
+    lagged = LaggedStep{system.carrying_step(mesh.deformed(), way)};
+  }
+  const Points& step = lagged->step;
   StageTimer timer(system.times.line_search);
   const double t =
       std::min(1.0, kFirstTrial * system.objective().largest_step(mesh.deformed(), step));

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/solve/supernodal_solve.h"
 #include "core/solve/symbolic_factor.h"
 
 /// CHOLMOD opens a parallel region for every few columns, and libgomp makes a team for each, even
@@ -56,7 +57,16 @@ struct Cholesky::State {
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
-  State(const State&) = delete;
+  State(const State& other) : State() {
+    ordering = other.ordering;
+    start = other.start;
+    row = other.row;
+    place = other.place;
+    factorized = other.factorized;
+    if (!other.factor) return;
+    factor = cholmod_copy_factor(other.factor, &common);
+    if (!factor) throw std::bad_alloc();
+  }
   State& operator=(const State&) = delete;
 
   void order(const SparseSymmetric& matrix);
@@ -74,7 +84,7 @@ struct Cholesky::State {
   std::vector<int> start, row;
   std::vector<double> value;
   std::vector<int> place;  ///< where each value of the matrix goes
-  Eigen::VectorXd right_hand_side;
+  Eigen::VectorXd right_hand_side, work;
   bool factorized = false;
 };
 
@@ -135,9 +145,9 @@ cholmod_sparse Cholesky::State::permuted(const SparseSymmetric& matrix) {
 
 Cholesky::Cholesky() : state_(std::make_unique<State>()) {}
 Cholesky::~Cholesky() = default;
-Cholesky::Cholesky(const Cholesky&) : Cholesky() {}
+Cholesky::Cholesky(const Cholesky& other) : state_(std::make_unique<State>(*other.state_)) {}
 Cholesky& Cholesky::operator=(const Cholesky& other) {
-  if (this != &other) state_ = std::make_unique<State>();
+  if (this != &other) state_ = std::make_unique<State>(*other.state_);
   return *this;
 }
 Cholesky::Cholesky(Cholesky&&) noexcept = default;
@@ -174,17 +184,21 @@ Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
   const Eigen::Map<const Eigen::VectorXi> permutation(static_cast<const int*>(s.factor->Perm),
                                                       right_hand_side.size());
   s.right_hand_side = right_hand_side(permutation);
+  Eigen::VectorXd solution(right_hand_side.size());
+  if (s.factor->is_super) {
+    supernodal_solve(*s.factor, s.right_hand_side, s.work);
+    solution(permutation) = s.right_hand_side;
+    return solution;
+  }
   cholmod_dense b{};
   b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right_hand_side.size());
   b.ncol = 1;
   b.x = s.right_hand_side.data();
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
-  const auto lock = lock_blas(*s.factor);
   if (!cholmod_solve2(CHOLMOD_A, s.factor, &b, nullptr, &s.solution, nullptr, &s.work_y, &s.work_e,
                       &s.common))
     throw std::bad_alloc();
-  Eigen::VectorXd solution(right_hand_side.size());
   solution(permutation) = Eigen::Map<const Eigen::VectorXd>(
       static_cast<const double*>(s.solution->x), right_hand_side.size());
   return solution;

@@ -10,7 +10,7 @@ namespace foldless {
 
 /// Sparse Cholesky factorization LLᵀ of a symmetric matrix, through CHOLMOD [CDHR08]: simplicial
 /// for small systems, supernodal for large ones. The symbolic part is kept while the pattern
-/// stands. A copy starts empty and analyses anew.
+/// stands. A copy has the factor too.
 class Cholesky {
  public:
   /// From this many unknowns on the supernodal factorization was measured to be faster.
@@ -29,7 +29,7 @@ class Cholesky {
   /// Factorizes matrix + shift·I; false when that is not positive definite.
   /// Precondition: analyze() was called with the same pattern.
   bool factorize(const SparseSymmetric& matrix, double shift = 0);
-  /// True when analyze() was called on this object itself.
+  /// True when analyze() was called.
   bool is_analyzed() const;
   /// True when the last factorization succeeded and nothing was analysed since.
   bool has_factor() const;

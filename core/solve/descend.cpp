@@ -2,6 +2,7 @@
 #include "core/solve/descend.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace foldless {
 namespace {
@@ -32,6 +33,16 @@ void after_clamped(CurvatureChoice& choice, double step_length) {
   if (choice.full_steps >= choice.full_steps_wanted) choice.clamping = kFirstPart;
 }
 
+/// Nothing where ∇²E as assembled is not positive definite.
+std::optional<Points> step_if_definite(NewtonSystem& system) {
+  if (std::optional<LaggedStep> lagged = system.lagged_newton_step()) {
+    if (lagged->is_indefinite) return std::nullopt;
+    return std::move(lagged->step);
+  }
+  if (!system.factorize(0)) return std::nullopt;
+  return system.newton_step();
+}
+
 }  // namespace
 
 std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token,
@@ -48,8 +59,8 @@ VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& posi
                      CurvatureChoice& choice, std::stop_token token) {
   if (choice.clamping < 1) {
     system.assemble(mesh.deformed(), positions, choice.clamping);
-    if (system.factorize(0)) {
-      VertexUpdate update = move_vertices(system, mesh, positions, 0);
+    if (const std::optional<Points> step = step_if_definite(system)) {
+      VertexUpdate update = move_along(system, mesh, positions, *step, 0);
       update.clamping = choice.clamping;
       after_partly_clamped(choice, update.step_length);
       return update;
@@ -58,10 +69,15 @@ VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& posi
     after_failure(choice);
   }
   system.assemble(mesh.deformed(), positions, 1);
-  const std::optional<double> mu = factorize_clamped(system, token, choice.last_shift);
-  if (!mu) return {.cancelled = token.stop_requested()};
-  choice.last_shift = *mu;
-  VertexUpdate update = move_vertices(system, mesh, positions, *mu);
+  double mu = 0;
+  std::optional<LaggedStep> step = system.lagged_newton_step();
+  if (!step || step->is_indefinite) {
+    const std::optional<double> shift = factorize_clamped(system, token, choice.last_shift);
+    if (!shift) return {.cancelled = token.stop_requested()};
+    choice.last_shift = mu = *shift;
+    step = LaggedStep{system.newton_step()};
+  }
+  VertexUpdate update = move_along(system, mesh, positions, step->step, mu);
   update.clamping = 1;
   after_clamped(choice, update.step_length);
   return update;

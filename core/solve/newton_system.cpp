@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solve/newton_system.h"
 
+#include "core/solve/conjugate_gradients.h"
+
 namespace foldless {
 namespace {
 
@@ -14,17 +16,24 @@ constexpr double kLargestLambda = 1e17;
 constexpr double kEdgesChangedBeforeReordering = 0.02;
 constexpr int kReorderedFrom = 2000;
 
+/// An iteration costs a tenth of a factorization or less.
+constexpr int kMostIterations = 8;
+/// A factor that took so many iterations is too far from ∇²E to serve once more.
+constexpr int kIterationsOfAFarFactor = 5;
+constexpr double kLeastGain = 1e-2;
+/// Where handles are carried there is no line search that would mend a rough step.
+constexpr double kLeastGainOfACarry = 1e-3;
+
 }  // namespace
 
 NewtonSystem::NewtonSystem(const EnergySettings& settings, const MeshPair& mesh,
                            const Positions& positions)
-    : objective_(settings, mesh, positions),
-      hessian_(objective_.hessian_pattern()),
-      edge_count_(mesh.edge_count()) {}
+    : objective_(settings, mesh, positions), edge_count_(mesh.edge_count()) {}
 
 void NewtonSystem::rebuild(const MeshPair& mesh, const Positions& positions, int changed_edges) {
   StageTimer timer(times.analyze);
   objective_ = Objective(objective_.settings(), mesh, positions);
+  is_factor_near_ = false;
   take_pattern(mesh, changed_edges);
 }
 
@@ -35,7 +44,7 @@ void NewtonSystem::take_flips(const MeshPair& mesh, int flips) {
 }
 
 void NewtonSystem::take_pattern(const MeshPair& mesh, int changed_edges) {
-  hessian_ = objective_.hessian_pattern();
+  has_pattern_ = false;
   edge_count_ = mesh.edge_count();
   edges_changed_since_ordering_ += changed_edges;
   pattern_analyzed_ = false;
@@ -46,11 +55,18 @@ void NewtonSystem::set_energy(const EnergySettings& settings, const MeshPair& me
                               const Positions& positions) {
   objective_ = Objective(settings, mesh, positions);
   plain_factor_ = false;
+  is_factor_near_ = false;
 }
 
 void NewtonSystem::assemble(const Points& u, const Positions& positions, double clamping) {
+  if (!has_pattern_) {
+    StageTimer timer(times.analyze);
+    hessian_ = objective_.hessian_pattern();
+    has_pattern_ = true;
+  }
   StageTimer timer(times.assemble);
   first_order_ = objective_.assemble(u, positions, hessian_, clamping);
+  is_held_ = positions.held;
   plain_factor_ = false;
 }
 
@@ -60,8 +76,7 @@ void NewtonSystem::assemble_gradient(const Points& u, const Positions& positions
 }
 
 bool NewtonSystem::factorize(double mu) {
-  // A copied Cholesky is empty, whatever this object remembers.
-  if (!pattern_analyzed_ || !cholesky_.is_analyzed()) {
+  if (!pattern_analyzed_) {
     StageTimer timer(times.analyze);
     const bool keep =
         edges_changed_since_ordering_ == 0 ||
@@ -73,7 +88,9 @@ bool NewtonSystem::factorize(double mu) {
   }
   StageTimer timer(times.factorize);
   ++counters.factorizations;
-  return cholesky_.factorize(hessian_, mu);
+  is_factor_near_ = cholesky_.factorize(hessian_, mu);
+  is_factor_held_ = is_held_;
+  return is_factor_near_;
 }
 
 bool NewtonSystem::factorize_plain() {
@@ -108,6 +125,34 @@ Points NewtonSystem::carrying_step(const Points& u, const Points& way) {
   StageTimer timer(times.solve);
   const Eigen::VectorXd pull = objective_.pull_of_handles(u, way);
   return objective_.spread(cholesky_.solve(-gradient() - pull)) + way;
+}
+
+bool NewtonSystem::may_lag() const {
+  return is_factor_near_ && cholesky_.has_factor() && is_held_ == is_factor_held_;
+}
+
+std::optional<LaggedStep> NewtonSystem::lagged_newton_step() {
+  return lagged_step(-gradient(), kLeastGain);
+}
+
+std::optional<LaggedStep> NewtonSystem::lagged_carrying_step(const Points& u, const Points& way) {
+  if (!may_lag()) return std::nullopt;
+  const Eigen::VectorXd pull = objective_.pull_of_handles(u, way);
+  std::optional<LaggedStep> lagged = lagged_step(-gradient() - pull, kLeastGainOfACarry);
+  if (lagged && !lagged->is_indefinite) lagged->step += way;
+  return lagged;
+}
+
+std::optional<LaggedStep> NewtonSystem::lagged_step(const Eigen::VectorXd& right_hand_side,
+                                                    double least_gain) {
+  if (!may_lag()) return std::nullopt;
+  StageTimer timer(times.solve);
+  const ConjugateGradientSolution solution =
+      conjugate_gradients(hessian_, right_hand_side, cholesky_, {least_gain, kMostIterations});
+  is_factor_near_ = solution.iterations < kIterationsOfAFarFactor;
+  if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;
+  if (solution.end == ConjugateGradientEnd::indefinite) return LaggedStep{{}, true};
+  return LaggedStep{objective_.spread(solution.x), false};
 }
 
 double NewtonSystem::slope(const Points& step) const {

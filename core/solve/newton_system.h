@@ -17,8 +17,14 @@ struct Counters {
   int updates = 0;         ///< U: every accepted update
 };
 
+/// A step from the factor of an earlier ∇²E.
+struct LaggedStep {
+  Points step;                 ///< displacements of the vertices, 2 × #V
+  bool is_indefinite = false;  ///< no step: ∇²E turned out not to be positive definite
+};
+
 /// The linear system of eq. 6 for one mesh, with the damping of [SKPSH13] that lives from one
-/// iteration to the next. Plain copyable state: a copy analyses its pattern anew.
+/// iteration to the next. Plain copyable state.
 class NewtonSystem {
  public:
   NewtonSystem(const EnergySettings& settings, const MeshPair& mesh, const Positions& positions);
@@ -61,6 +67,11 @@ class NewtonSystem {
   /// follow it: −(factor)⁻¹ (∇E + ∇²E way) with the handles' part of ∇²E at `u`, clamped, and `way`
   /// itself at the handles.
   Points carrying_step(const Points& u, const Points& way);
+  /// newton_step() without a factorization of ∇²E as last assembled: by conjugate gradients from
+  /// the factor of an earlier one, where there is one that is near enough.
+  std::optional<LaggedStep> lagged_newton_step();
+  /// carrying_step() in that way.
+  std::optional<LaggedStep> lagged_carrying_step(const Points& u, const Points& way);
   /// ∇E · step, for a step as newton_step() gives it.
   double slope(const Points& step) const;
   /// Says that the vertices moved: what was assembled and factorized is out of date.
@@ -71,13 +82,19 @@ class NewtonSystem {
 
  private:
   void take_pattern(const MeshPair& mesh, int changed_edges);
+  bool may_lag() const;
+  std::optional<LaggedStep> lagged_step(const Eigen::VectorXd& right_hand_side, double least_gain);
 
   Objective objective_;
   SparseSymmetric hessian_;
   EnergyGradient first_order_;
   Cholesky cholesky_;
+  bool has_pattern_ = false;  ///< of the connectivity as it is
   bool pattern_analyzed_ = false;
   bool plain_factor_ = false;
+  bool is_held_ = false;         ///< whether ∇²E as assembled is that of held handles
+  bool is_factor_held_ = false;  ///< and that of the factor
+  bool is_factor_near_ = false;  ///< to ∇²E, as far as is known
   int edges_changed_since_ordering_ = 0;
   int edge_count_ = 0;
   double lambda_ = 0.1;

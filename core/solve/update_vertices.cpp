@@ -19,8 +19,12 @@ VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Positio
 
 VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
                            double mu) {
+  return move_along(system, mesh, positions, system.newton_step(), mu);
+}
+
+VertexUpdate move_along(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
+                        const Points& step, double mu) {
   VertexUpdate update{.mu = mu};
-  const Points step = system.newton_step();
   StageTimer timer(system.times.line_search);
   const double slope = system.slope(step);
   if (!(slope < 0)) return update;

@@ -30,4 +30,8 @@ VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Positio
 VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
                            double mu);
 
+/// Searches along a step and moves the mesh. Counts U.
+VertexUpdate move_along(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
+                        const Points& step, double mu);
+
 }  // namespace foldless

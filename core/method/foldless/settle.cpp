@@ -22,7 +22,7 @@ constexpr double kGainOfFlips = 1e-2;
 constexpr int kMostFailures = 3;
 
 bool is_converged(const VertexUpdate& update, double energy) {
-  const bool is_full = update.step_length == 1 && update.mu == 0;
+  const bool is_full = update.step_length == 1;
   const double small = is_full
                            ? std::min(kSmallDecrement / update.clamping, kSmallDecrementOfNewton)
                            : kSmallDecrement;
@@ -47,7 +47,8 @@ Settle::Settle(Workspace& workspace, double exponent)
 
 // E Kᵉ falls with every step that lowers E + w K for w = ε E / K: the logarithm is concave.
 Progress Settle::step(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
-  const double weight = exponent_ * energy_of(workspace) / conformal_sum(workspace.mesh);
+  if (!energy_) energy_ = energy_of(workspace);
+  const double weight = exponent_ * *energy_ / conformal_sum(workspace.mesh);
   workspace.system.set_conformal_weight(is_plain_ ? 0 : weight);
   const Progress progress = descend(workspace, token, update);
   workspace.system.set_conformal_weight(0);
@@ -65,9 +66,11 @@ Progress Settle::descend(Workspace& workspace, std::stop_token token, VertexUpda
   }
   is_plain_ = failures_ >= kMostFailures;
   const double energy = energy_of(workspace);
+  energy_ = energy;
   if (!is_converged(update, energy)) return Progress::running;
   workspace.flip_edges();
-  const bool is_gain = energy - energy_of(workspace) > kGainOfFlips * energy;
+  energy_ = energy_of(workspace);
+  const bool is_gain = energy - *energy_ > kGainOfFlips * energy;
   return is_gain ? Progress::running : Progress::arrived;
 }
 

@@ -29,6 +29,7 @@ class Settle {
 
   double exponent_;
   Positions held_;
+  std::optional<double> energy_;  ///< E where the last step ended
   int steps_ = 0;
   int failures_ = 0;       ///< steps that found no decrease
   bool is_plain_ = false;  ///< the next step lowers E alone

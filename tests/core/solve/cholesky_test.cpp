@@ -126,15 +126,18 @@ TEST_P(CholeskyTest, AnOrderingServesAnotherPatternOfTheSameSize) {
   EXPECT_NEAR(x[1], 0.25, 1e-15);
 }
 
-TEST_P(CholeskyTest, ACopyStartsEmpty) {
+TEST_P(CholeskyTest, ACopyHasTheFactor) {
   const SparseSymmetric m = ring(GetParam(), 1);
   Cholesky cholesky;
   cholesky.analyze(m);
   ASSERT_TRUE(cholesky.factorize(m));
-  const Cholesky copy = cholesky;
-  EXPECT_FALSE(copy.is_analyzed());
-  EXPECT_FALSE(copy.has_factor());
-  EXPECT_TRUE(cholesky.has_factor());
+  Cholesky copy = cholesky;
+  ASSERT_TRUE(copy.has_factor());
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(m.size());
+  EXPECT_EQ(copy.solve(b), cholesky.solve(b));
+  ASSERT_TRUE(copy.factorize(m, 3));
+  EXPECT_LT(residual(m, 3, copy.solve(b), b), 1e-12);
+  EXPECT_LT(residual(m, 0, cholesky.solve(b), b), 1e-12) << "the original's is its own";
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, CholeskyTest, testing::Values(7, 3000));

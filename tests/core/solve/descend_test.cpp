@@ -40,6 +40,43 @@ TEST(Descend, WhereTheExactHessianIsDefiniteOneFactorizationServesAStep) {
   EXPECT_EQ(system.counters.factorizations, 1);
 }
 
+TEST(Descend, AFactorServesSeveralSteps) {
+  Squeezed s(0.9);
+  NewtonSystem system(s.settings, s.mesh, s.positions);
+  CurvatureChoice choice;
+  VertexUpdate update;
+  do update = descend(system, s.mesh, s.positions, choice, {});
+  while (update.decrement > 1e-12);
+  EXPECT_LT(system.counters.factorizations, system.counters.updates);
+  EXPECT_LT(s.mesh.deformed().cols() * update.step_infinity_norm, 1e-4);
+}
+
+TEST(Descend, AStepFromAnEarlierFactorIsNearlyNewtons) {
+  Squeezed s(0.9);
+  NewtonSystem system(s.settings, s.mesh, s.positions);
+  CurvatureChoice choice;
+  descend(system, s.mesh, s.positions, choice, {});
+  system.assemble(s.mesh.deformed(), s.positions);
+  const std::optional<LaggedStep> lagged = system.lagged_newton_step();
+  ASSERT_TRUE(lagged);
+  EXPECT_FALSE(lagged->is_indefinite);
+  ASSERT_TRUE(system.factorize(0));
+  const Points newton = system.newton_step();
+  // Of the decrease that the model promises a hundredth may be missing, or little more.
+  EXPECT_LT(system.slope(lagged->step), 0.97 * system.slope(newton));
+  EXPECT_GE(system.slope(lagged->step), (1 + 1e-9) * system.slope(newton));
+}
+
+TEST(Descend, AFactorOfFreeHandlesDoesNotServeHeldOnes) {
+  Squeezed s(0.9);
+  NewtonSystem system(s.settings, s.mesh, s.positions);
+  CurvatureChoice choice;
+  descend(system, s.mesh, s.positions, choice, {});
+  s.positions.held = true;
+  system.assemble(s.mesh.deformed(), s.positions);
+  EXPECT_FALSE(system.lagged_newton_step());
+}
+
 TEST(Descend, GoesBackToTheExactHessianThroughParts) {
   Squeezed s(0.2);
   NewtonSystem system(s.settings, s.mesh, s.positions);
@@ -56,7 +93,11 @@ TEST(Descend, GoesBackToTheExactHessianThroughParts) {
     if (update.decrement < 1e-12) break;
   }
   EXPECT_LT(update.decrement, 1e-12);
-  EXPECT_EQ(parts, (std::vector<double>{1, 0.5, 0.25, 0}));
+  EXPECT_EQ(parts.front(), 1);
+  EXPECT_EQ(parts.back(), 0);
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    EXPECT_TRUE(parts[i] == 1 || parts[i] == (parts[i - 1] > 0.25 ? parts[i - 1] / 2 : 0))
+        << parts[i] << " after " << parts[i - 1];
 }
 
 TEST(Descend, WhenCancelledNothingMoves) {

@@ -65,8 +65,9 @@ TEST(Settle, ALargerExponentLowersTheDistortions) {
     lower_mean += better.mean_conformal_distortion < plain.mean_conformal_distortion;
     lower_max += better.max_conformal_distortion < plain.max_conformal_distortion;
   }
-  EXPECT_GE(lower_mean, 30);
-  EXPECT_GE(lower_max, 30);
+  // By a sign test, one in twenty: 26 of 40.
+  EXPECT_GE(lower_mean, 26);
+  EXPECT_GE(lower_max, 26);
 }
 
 /// A grid at rest but for a vertex next to the opposite edge of one of its triangles; in the map
