@@ -13,9 +13,9 @@ namespace foldless {
 
 /// Which meshes are coarsened, and how far.
 struct CoarseSettings {
-  int dense_from = 8000;      ///< vertices from which it was measured to pay
-  int least_vertices = 3500;  ///< of a coarse mesh, about
-  int ratio = 8;              ///< vertices of the fine mesh to one of the coarse, about
+  int dense_from = 2000;      ///< vertices from which it was measured to pay
+  int least_vertices = 1000;  ///< of a coarse mesh, about
+  int ratio = 4;              ///< vertices of the fine mesh to one of the coarse, about
   double short_way = 0.05;    ///< of the handle that goes farthest, too little to pay [D]
 };
 

@@ -40,7 +40,7 @@ TEST(DragSuite, IsMeasuredFrameByFrame) {
   const DragSummary summary = drag_summary(row);
   EXPECT_LE(summary.p95_distance, 1e-6);
   EXPECT_EQ(summary.invalid, 0);
-  EXPECT_GE(summary.factorizations, 1);
+  EXPECT_GT(summary.factorizations, 0);
   EXPECT_LE(summary.iterations, 2);
   for (const DragFrame& frame : row.frames) EXPECT_GE(frame.seconds, frame.first_seconds);
 }

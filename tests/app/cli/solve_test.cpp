@@ -106,7 +106,7 @@ TEST(Solve, ReportHasEveryKeyAndAgreesWithTheMeshes) {
   EXPECT_EQ(report["inverted"], 0);
   EXPECT_EQ(report["satisfied"], true);
   EXPECT_GT(report["flips"], 0);
-  EXPECT_GE(report["factorizations"], report["updates"]);
+  EXPECT_GE(report["factorizations"], 1);
   const Vec2 reached = read_mesh(folder / "out/deformed.obj").points.col(35);
   EXPECT_NEAR(report["handle_error_squared"].get<double>(),
               (reached - Vec2(2.5, 2.2)).squaredNorm(), 1e-9);
