@@ -13,6 +13,10 @@ constexpr double kLeastShift = 1e-9;
 constexpr double kLargestShift = 1e13;
 constexpr double kShiftFactor = 100;
 
+/// After a step shorter than this ∇²E is factorized anew: with an old factor many more such steps
+/// follow, where the map is about to fold.
+constexpr double kShortStep = 0.1;
+
 constexpr int kMostFullStepsWanted = 8;
 constexpr double kFirstPart = 0.5;
 constexpr double kLeastPart = 0.25;
@@ -31,6 +35,13 @@ void after_failure(CurvatureChoice& choice) {
 void after_clamped(CurvatureChoice& choice, double step_length) {
   choice.full_steps = step_length == 1 ? choice.full_steps + 1 : 0;
   if (choice.full_steps >= choice.full_steps_wanted) choice.clamping = kFirstPart;
+}
+
+VertexUpdate step_along(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
+                        const Points& step, double mu) {
+  const VertexUpdate update = move_along(system, mesh, positions, step, mu);
+  if (update.step_length < kShortStep) system.outdate_factor();
+  return update;
 }
 
 /// Nothing where ∇²E as assembled is not positive definite.
@@ -60,7 +71,7 @@ VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& posi
   if (choice.clamping < 1) {
     system.assemble(mesh.deformed(), positions, choice.clamping);
     if (const std::optional<Points> step = step_if_definite(system)) {
-      VertexUpdate update = move_along(system, mesh, positions, *step, 0);
+      VertexUpdate update = step_along(system, mesh, positions, *step, 0);
       update.clamping = choice.clamping;
       after_partly_clamped(choice, update.step_length);
       return update;
@@ -77,7 +88,7 @@ VertexUpdate descend(NewtonSystem& system, MeshPair& mesh, const Positions& posi
     choice.last_shift = mu = *shift;
     step = LaggedStep{system.newton_step()};
   }
-  VertexUpdate update = move_along(system, mesh, positions, step->step, mu);
+  VertexUpdate update = step_along(system, mesh, positions, step->step, mu);
   update.clamping = 1;
   after_clamped(choice, update.step_length);
   return update;

@@ -76,6 +76,8 @@ class NewtonSystem {
   double slope(const Points& step) const;
   /// Says that the vertices moved: what was assembled and factorized is out of date.
   void moved() { plain_factor_ = false; }
+  /// Says that ∇²E changed too much for its factor to serve another step.
+  void outdate_factor() { is_factor_near_ = false; }
 
   Counters counters;
   StageTimes times;
