@@ -17,7 +17,7 @@ constexpr double kEdgesChangedBeforeReordering = 0.02;
 constexpr int kReorderedFrom = 2000;
 
 /// An iteration costs a tenth of a factorization or less.
-constexpr int kMostIterations = 8;
+constexpr int kMostLaggedIterations = 8;
 /// A factor that took so many iterations is too far from ∇²E to serve once more.
 constexpr int kIterationsOfAFarFactor = 5;
 constexpr double kLeastGain = 1e-2;
@@ -148,7 +148,7 @@ std::optional<LaggedStep> NewtonSystem::lagged_step(const Eigen::VectorXd& right
   if (!may_lag()) return std::nullopt;
   StageTimer timer(times.solve);
   const ConjugateGradientSolution solution =
-      conjugate_gradients(hessian_, right_hand_side, cholesky_, {least_gain, kMostIterations});
+      conjugate_gradients(hessian_, right_hand_side, cholesky_, {least_gain, kMostLaggedIterations});
   is_factor_near_ = solution.iterations < kIterationsOfAFarFactor;
   if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;
   if (solution.end == ConjugateGradientEnd::indefinite) return LaggedStep{{}, true};
