@@ -6,24 +6,13 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/dense_matrix.h"
 #include "tests/support/finite_difference.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_scene.h"
 
 namespace foldless {
 namespace {
-
-/// The matrix whose lower triangle is stored.
-Eigen::MatrixXd dense(const SparseSymmetric& m) {
-  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(m.size(), m.size());
-  for (int column = 0; column < m.size(); ++column)
-    for (int k = m.column_start[static_cast<std::size_t>(column)];
-         k < m.column_start[static_cast<std::size_t>(column) + 1]; ++k) {
-      const int row = m.row[static_cast<std::size_t>(k)];
-      full(row, column) = full(column, row) = m.value[static_cast<std::size_t>(k)];
-    }
-  return full;
-}
 
 Positions corner_handles(const Points& rest) {
   Handle fixed{.id = 0, .vertex = 0, .target = rest.col(0)};
@@ -74,7 +63,7 @@ TEST_P(ObjectiveTest, GradientAndHessianAgreeWithFiniteDifferences) {
         [&](const Eigen::VectorXd& y) { return objective.gradient(points(y), positions).gradient; },
         x, 1e-4);
     EXPECT_LT(test::relative_difference(numeric_gradient.transpose(), gradient), 1e-6);
-    EXPECT_LT(test::relative_difference(numeric_hessian, dense(hessian)), 1e-6);
+    EXPECT_LT(test::relative_difference(numeric_hessian, test::dense(hessian)), 1e-6);
   }
 }
 

@@ -6,6 +6,8 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "tests/support/dense_matrix.h"
+
 namespace foldless {
 namespace {
 
@@ -27,17 +29,6 @@ SparseSymmetric random_matrix(int nodes, unsigned seed) {
   for (int i = 0; i < m.size(); ++i)
     m.value[static_cast<std::size_t>(m.column_start[static_cast<std::size_t>(i)])] += 30;
   return m;
-}
-
-Eigen::MatrixXd dense(const SparseSymmetric& m) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(m.size(), m.size());
-  for (int column = 0; column < m.size(); ++column)
-    for (int k = m.column_start[static_cast<std::size_t>(column)];
-         k < m.column_start[static_cast<std::size_t>(column) + 1]; ++k) {
-      const int row = m.row[static_cast<std::size_t>(k)];
-      result(row, column) = result(column, row) = m.value[static_cast<std::size_t>(k)];
-    }
-  return result;
 }
 
 /// Adds to the diagonal, by turns more and less.
@@ -62,7 +53,7 @@ TEST(Multiply, IsTheProductOfTheWholeMatrix) {
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
     Eigen::VectorXd y;
     multiply(m, x, y);
-    EXPECT_LT((y - dense(m) * x).norm(), 1e-12);
+    EXPECT_LT((y - test::dense(m) * x).norm(), 1e-12);
   }
 }
 
