@@ -147,8 +147,8 @@ std::optional<LaggedStep> NewtonSystem::lagged_step(const Eigen::VectorXd& right
                                                     double least_gain) {
   if (!may_lag()) return std::nullopt;
   StageTimer timer(times.solve);
-  const ConjugateGradientSolution solution =
-      conjugate_gradients(hessian_, right_hand_side, cholesky_, {least_gain, kMostLaggedIterations});
+  const ConjugateGradientSolution solution = conjugate_gradients(
+      hessian_, right_hand_side, cholesky_, {least_gain, kMostLaggedIterations});
   is_factor_near_ = solution.iterations < kIterationsOfAFarFactor;
   if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;
   if (solution.end == ConjugateGradientEnd::indefinite) return LaggedStep{{}, true};
