@@ -78,6 +78,7 @@ std::unique_ptr<Method> Foldless::clone() const { return std::make_unique<Foldle
 
 void Foldless::set_targets(const Points& targets) {
   work_.positions.targets = targets;
+  work_.system.set_lagging(true);
   is_drag_ = true;
   verdict_.clear();
   satisfied_.reset();
@@ -111,7 +112,10 @@ std::optional<Iteration> Foldless::approach(Approach& stage, std::stop_token tok
   if (progress == Progress::cancelled) return std::nullopt;
   Iteration iteration = record(work_, update, work_.positions);
   iteration.phase = Phase::approach;
-  if (progress == Progress::arrived) stage_ = Tidy(work_, first_removable_);
+  if (progress == Progress::arrived) {
+    work_.system.set_lagging(true);
+    stage_ = Tidy(work_, first_removable_);
+  }
   if (progress == Progress::locked) after_locked_approach();
   return iteration;
 }
@@ -127,6 +131,7 @@ std::optional<Iteration> Foldless::attempt(Attempt& attempt, std::stop_token tok
   if (progress == Progress::arrived) {
     work_ = std::move(attempt.work);
     work_.set_energy(energy_);
+    work_.system.set_lagging(true);
     stage_ = Tidy(work_, first_removable_);
   } else if (progress == Progress::locked) {
     after_locked_attempt(attempt);
@@ -206,6 +211,13 @@ void Foldless::end_satisfied() {
 void Foldless::after_locked_approach() {
   const double error = work_.error();
   if (!is_satisfied(error) && prove_infeasible()) return;
+  // Once more with the steps of Newton himself: some scenes are reached only so.
+  if (!is_drag_ && work_.system.is_lagging()) {
+    work_.set_mesh(initial_);
+    work_.system.set_lagging(false);
+    stage_ = Approach(work_);
+    return;
+  }
   const bool may_split = split_rounds_ == 0 || error < kGainOfASplitRound * locked_error_;
   locked_error_ = error;
   if (may_split && split_rounds_++ < kMostSplitRounds && split()) {
@@ -257,6 +269,7 @@ void Foldless::begin_next_attempt() {
   }
   Workspace work = work_;
   work.set_mesh(at_rest());
+  work.system.set_lagging(false);
   if (attempts_++ == 0) {
     Approach way(work);
     stage_ = Attempt{std::move(work), std::move(way)};

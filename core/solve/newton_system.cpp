@@ -128,7 +128,7 @@ Points NewtonSystem::carrying_step(const Points& u, const Points& way) {
 }
 
 bool NewtonSystem::may_lag() const {
-  return is_factor_near_ && cholesky_.has_factor() && is_held_ == is_factor_held_;
+  return is_lagging_ && is_factor_near_ && cholesky_.has_factor() && is_held_ == is_factor_held_;
 }
 
 std::optional<LaggedStep> NewtonSystem::lagged_newton_step() {

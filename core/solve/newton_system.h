@@ -76,6 +76,9 @@ class NewtonSystem {
   double slope(const Points& step) const;
   /// Says that the vertices moved: what was assembled and factorized is out of date.
   void moved() { plain_factor_ = false; }
+  /// Whether a factor may serve several steps; true to begin with.
+  bool is_lagging() const { return is_lagging_; }
+  void set_lagging(bool lagging) { is_lagging_ = lagging; }
   /// Says that ∇²E changed too much for its factor to serve another step.
   void outdate_factor() { is_factor_near_ = false; }
 
@@ -97,6 +100,7 @@ class NewtonSystem {
   bool is_held_ = false;         ///< whether ∇²E as assembled is that of held handles
   bool is_factor_held_ = false;  ///< and that of the factor
   bool is_factor_near_ = false;  ///< to ∇²E, as far as is known
+  bool is_lagging_ = true;
   int edges_changed_since_ordering_ = 0;
   int edge_count_ = 0;
   double lambda_ = 0.1;
