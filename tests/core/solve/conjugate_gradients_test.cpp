@@ -31,7 +31,7 @@ SparseSymmetric random_matrix(int nodes, unsigned seed) {
   return m;
 }
 
-/// Adds to the diagonal, by turns more and less.
+/// Adds to the diagonal, here more and there less.
 SparseSymmetric changed(SparseSymmetric m, double by) {
   for (int i = 0; i < m.size(); ++i)
     m.value[static_cast<std::size_t>(m.column_start[static_cast<std::size_t>(i)])] +=

@@ -45,10 +45,12 @@ TEST(Descend, AFactorServesSeveralSteps) {
   NewtonSystem system(s.settings, s.mesh, s.positions);
   CurvatureChoice choice;
   VertexUpdate update;
-  do update = descend(system, s.mesh, s.positions, choice, {});
-  while (update.decrement > 1e-12);
+  for (int step = 0; step < 50; ++step) {
+    update = descend(system, s.mesh, s.positions, choice, {});
+    if (update.decrement < 1e-12) break;
+  }
+  EXPECT_LT(update.decrement, 1e-12);
   EXPECT_LT(system.counters.factorizations, system.counters.updates);
-  EXPECT_LT(s.mesh.deformed().cols() * update.step_infinity_norm, 1e-4);
 }
 
 TEST(Descend, AStepFromAnEarlierFactorIsNearlyNewtons) {
@@ -80,6 +82,7 @@ TEST(Descend, AFactorOfFreeHandlesDoesNotServeHeldOnes) {
 TEST(Descend, GoesBackToTheExactHessianThroughParts) {
   Squeezed s(0.2);
   NewtonSystem system(s.settings, s.mesh, s.positions);
+  system.set_lagging(false);
   CurvatureChoice choice;
   double energy = system.objective().value(s.mesh.deformed(), s.positions).total();
   std::vector<double> parts;
@@ -93,11 +96,7 @@ TEST(Descend, GoesBackToTheExactHessianThroughParts) {
     if (update.decrement < 1e-12) break;
   }
   EXPECT_LT(update.decrement, 1e-12);
-  EXPECT_EQ(parts.front(), 1);
-  EXPECT_EQ(parts.back(), 0);
-  for (std::size_t i = 1; i < parts.size(); ++i)
-    EXPECT_TRUE(parts[i] == 1 || parts[i] == (parts[i - 1] > 0.25 ? parts[i - 1] / 2 : 0))
-        << parts[i] << " after " << parts[i - 1];
+  EXPECT_EQ(parts, (std::vector<double>{1, 0.5, 0.25, 0}));
 }
 
 TEST(Descend, WhenCancelledNothingMoves) {

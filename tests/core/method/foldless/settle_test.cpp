@@ -58,16 +58,17 @@ TEST(Settle, LeavesTheEnergyOfTheSceneToOthers) {
 }
 
 TEST(Settle, ALargerExponentLowersTheDistortions) {
+  constexpr int kSeeds = 200;
   int lower_mean = 0, lower_max = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Quality plain = settled_quality(seed, 0);
     const Quality better = settled_quality(seed, 0.2);
     lower_mean += better.mean_conformal_distortion < plain.mean_conformal_distortion;
     lower_max += better.max_conformal_distortion < plain.max_conformal_distortion;
   }
-  // By a sign test, one in twenty: 26 of 40.
-  EXPECT_GE(lower_mean, 26);
-  EXPECT_GE(lower_max, 26);
+  // Three of four; either comes to four of five.
+  EXPECT_GE(lower_mean, 0.75 * kSeeds);
+  EXPECT_GE(lower_max, 0.75 * kSeeds);
 }
 
 /// A grid at rest but for a vertex next to the opposite edge of one of its triangles; in the map
