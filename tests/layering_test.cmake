@@ -82,8 +82,8 @@ may_include("app/cli[^/]*" "${BASE}|<CLI/CLI\\.hpp>|core/.*|render/.*|app/(bench
 only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
 only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui belongs to app/gui")
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
-only_in("core/solve/(cholesky\\.cpp|(symbolic_factor|supernodal_solve)\\.(h|cpp))" "cholmod\\.h>"
-        "CHOLMOD belongs to cholesky.cpp, symbolic_factor and supernodal_solve")
+only_in("core/solve/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
+        "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")
 only_in("core/(mesh/(orientation|ply_reader)|outline/triangulate)\\.cpp" "<CGAL/"
         "CGAL belongs to three files")
 only_in("app/cli_[a-z_]+\\.cpp" "<CLI/" "CLI11 belongs to the command line")

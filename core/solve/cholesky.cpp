@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/solve/supernodal_solve.h"
 #include "core/solve/symbolic_factor.h"
+#include "core/solve/triangular_solve.h"
 
 /// CHOLMOD opens a parallel region for every few columns, and libgomp makes a team for each, even
 /// of one thread: half of the time of a factorization. This definition comes before libgomp's: the
@@ -51,9 +51,6 @@ struct Cholesky::State {
     common.final_ll = 1;
   }
   ~State() {
-    cholmod_free_dense(&solution, &common);
-    cholmod_free_dense(&work_y, &common);
-    cholmod_free_dense(&work_e, &common);
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
@@ -75,9 +72,6 @@ struct Cholesky::State {
 
   cholmod_common common;
   cholmod_factor* factor = nullptr;
-  cholmod_dense* solution = nullptr;
-  cholmod_dense* work_y = nullptr;
-  cholmod_dense* work_e = nullptr;
   std::vector<int> ordering;  ///< of the nodes
   // The matrix in the order of the factor, made once a pattern: CHOLMOD by itself would transpose
   // the matrix twice for every factorization.
@@ -184,23 +178,9 @@ Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
   const Eigen::Map<const Eigen::VectorXi> permutation(static_cast<const int*>(s.factor->Perm),
                                                       right_hand_side.size());
   s.right_hand_side = right_hand_side(permutation);
+  triangular_solve(*s.factor, s.right_hand_side, s.work);
   Eigen::VectorXd solution(right_hand_side.size());
-  if (s.factor->is_super) {
-    supernodal_solve(*s.factor, s.right_hand_side, s.work);
-    solution(permutation) = s.right_hand_side;
-    return solution;
-  }
-  cholmod_dense b{};
-  b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right_hand_side.size());
-  b.ncol = 1;
-  b.x = s.right_hand_side.data();
-  b.xtype = CHOLMOD_REAL;
-  b.dtype = CHOLMOD_DOUBLE;
-  if (!cholmod_solve2(CHOLMOD_A, s.factor, &b, nullptr, &s.solution, nullptr, &s.work_y, &s.work_e,
-                      &s.common))
-    throw std::bad_alloc();
-  solution(permutation) = Eigen::Map<const Eigen::VectorXd>(
-      static_cast<const double*>(s.solution->x), right_hand_side.size());
+  solution(permutation) = s.right_hand_side;
   return solution;
 }
 

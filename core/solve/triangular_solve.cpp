@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/solve/supernodal_solve.h"
+#include "core/solve/triangular_solve.h"
 
 namespace foldless {
 namespace {
@@ -56,9 +56,62 @@ void backward(const Supernode& s, double* x, double* work) {
   }
 }
 
+using Pair = Eigen::Map<Eigen::Vector2d>;
+using ConstPair = Eigen::Map<const Eigen::Vector2d>;
+
+/// Two columns of L of a simplicial factor, the second of which lacks the first row.
+struct ColumnPair {
+  int first;        ///< column of L
+  int below;        ///< rows below the two, an even number
+  const int* rows;  ///< those; every other one is one more than that before it
+  const double *a, *b;
+  double inverse_a, inverse_b;  ///< of the diagonal: nothing waits for these divisions
+
+  ColumnPair(const cholmod_factor& factor, int column) : first(column) {
+    const auto* start = static_cast<const int*>(factor.p);
+    const auto* value = static_cast<const double*>(factor.x);
+    below = static_cast<const int*>(factor.nz)[column] - 2;
+    rows = static_cast<const int*>(factor.i) + start[column] + 2;
+    a = value + start[column];
+    b = value + start[column + 1];
+    inverse_a = 1 / a[0];
+    inverse_b = 1 / b[0];
+  }
+};
+
+/// x becomes L⁻¹ x.
+void forward(const ColumnPair& s, double* x) {
+  const double xa = x[s.first] * s.inverse_a;
+  const double xb = (x[s.first + 1] - s.a[1] * xa) * s.inverse_b;
+  Pair(x + s.first) << xa, xb;
+  const double *a = s.a + 2, *b = s.b + 1;
+  for (int i = 0; i < s.below; i += 2)
+    Pair(x + s.rows[i]) -= xa * ConstPair(a + i) + xb * ConstPair(b + i);
+}
+
+/// x becomes L⁻ᵀ x.
+void backward(const ColumnPair& s, double* x) {
+  const double *a = s.a + 2, *b = s.b + 1;
+  Eigen::Vector2d sum_a(0, 0), sum_b(0, 0);
+  for (int i = 0; i < s.below; i += 2) {
+    const ConstPair known(x + s.rows[i]);
+    sum_a += known.cwiseProduct(ConstPair(a + i));
+    sum_b += known.cwiseProduct(ConstPair(b + i));
+  }
+  const double xb = (x[s.first + 1] - sum_b.sum()) * s.inverse_b;
+  const double xa = (x[s.first] - sum_a.sum() - s.a[1] * xb) * s.inverse_a;
+  Pair(x + s.first) << xa, xb;
+}
+
 }  // namespace
 
-void supernodal_solve(const cholmod_factor& factor, Eigen::VectorXd& x, Eigen::VectorXd& work) {
+void triangular_solve(const cholmod_factor& factor, Eigen::VectorXd& x, Eigen::VectorXd& work) {
+  if (!factor.is_super) {
+    const int n = static_cast<int>(factor.n);
+    for (int j = 0; j < n; j += 2) forward({factor, j}, x.data());
+    for (int j = n; j > 0; j -= 2) backward({factor, j - 2}, x.data());
+    return;
+  }
   work.resize(static_cast<Eigen::Index>(factor.n));
   for (std::size_t k = 0; k < factor.nsuper; ++k) forward({factor, k}, x.data(), work.data());
   for (std::size_t k = factor.nsuper; k-- > 0;) backward({factor, k}, x.data(), work.data());
