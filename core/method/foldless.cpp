@@ -16,13 +16,9 @@ namespace {
 constexpr double kOffTarget = 1e-6;
 constexpr int kMostSplitRounds = 3;
 constexpr double kGainOfASplitRound = 0.9;
-/// Handles of a mesh of at most so many triangles are carried in many orders; all of it takes
-/// seconds then.
-constexpr int kLargestInManyOrders = 5000;
-constexpr int kRandomOrders = 16;
-/// One of so many is refined when nothing else helped,
-constexpr int kLargestRefined = 2000;
-/// and so many other ways are tried where triangles are crushed.
+/// Of a mesh of at most so many triangles,
+constexpr int kLargestUncrushed = 2000;
+/// so many other ways are tried where triangles are crushed.
 constexpr int kAttemptsWhenCrushed = 6;
 
 double largest_distortion(const MeshPair& mesh) {
@@ -62,7 +58,8 @@ Foldless::Foldless(Problem problem, const CoarseSettings& dense)
       energy_(own_energy(problem)),
       work_(workspace_of(problem.mesh, problem, energy_)),
       held_regions_(foldless::held_regions(initial_, work_.positions)),
-      stage_(first_stage()) {
+      stage_(first_stage()),
+      other_ways_(energy_, true) {
   work_.fixed_boundary = boundary_vertices(held_regions_, work_.positions);
   if (work_.system.objective().unknowns().count() == 0) outcome_ = Outcome::gradient;
   if (outcome_ || work_.error() == 0) return;
@@ -85,7 +82,7 @@ void Foldless::set_targets(const Points& targets) {
   attempts_when_crushed_ = 0;
   stage_ = first_stage();
   split_rounds_ = 0;
-  attempts_ = 0;
+  other_ways_ = OtherWays(energy_, true);
   if (work_.system.objective().unknowns().count() > 0) outcome_.reset();
 }
 
@@ -122,12 +119,10 @@ std::optional<Iteration> Foldless::approach(Approach& stage, std::stop_token tok
 
 std::optional<Iteration> Foldless::attempt(Attempt& attempt, std::stop_token token) {
   VertexUpdate update;
-  const Progress progress =
-      std::visit([&](auto& way) { return way.step(attempt.work, token, update); }, attempt.way);
+  const Progress progress = attempt.step(token, update);
   if (progress == Progress::cancelled) return std::nullopt;
   Iteration iteration = record(attempt.work, update, attempt.work.positions);
-  iteration.phase =
-      std::holds_alternative<Transport>(attempt.way) ? Phase::transport : Phase::approach;
+  iteration.phase = attempt.is_transport() ? Phase::transport : Phase::approach;
   if (progress == Progress::arrived) {
     work_ = std::move(attempt.work);
     work_.set_energy(energy_);
@@ -181,14 +176,14 @@ std::optional<Iteration> Foldless::settle(Tidy& stage, std::stop_token token) {
 void Foldless::after_locked_pursuit() {
   if (!is_drag_) {
     work_.set_mesh(initial_);
-    attempts_ = 1;  // an approach from rest
+    other_ways_ = OtherWays(energy_, false);  // an approach from rest comes now
   }
   stage_ = Approach(work_);
 }
 
 // Where triangles are crushed another way may end in a better mesh; the best one stays.
 void Foldless::after_tidying() {
-  const bool tries_more = !is_drag_ && initial_.face_count() <= kLargestRefined &&
+  const bool tries_more = !is_drag_ && initial_.face_count() <= kLargestUncrushed &&
                           largest_distortion(work_.mesh) >= Tidy::kCrushed;
   if (!satisfied_ && !tries_more) {
     outcome_ = Outcome::gradient;
@@ -211,12 +206,16 @@ void Foldless::end_satisfied() {
 void Foldless::after_locked_approach() {
   const double error = work_.error();
   if (!is_satisfied(error) && prove_infeasible()) return;
-  // Once more with the steps of Newton himself: some scenes are reached only so.
   if (!is_drag_ && work_.system.is_lagging()) {
-    work_.set_mesh(initial_);
     work_.system.set_lagging(false);
-    stage_ = Approach(work_);
-    return;
+    // Once more with the steps of Newton himself: some scenes are reached only so, but hardly
+    // those whose handles turn.
+    const Points starts = held_where_they_are(work_.positions, initial_.rest()).targets;
+    if (!turn_together(starts, work_.positions.targets)) {
+      work_.set_mesh(initial_);
+      stage_ = Approach(work_);
+      return;
+    }
   }
   const bool may_split = split_rounds_ == 0 || error < kGainOfASplitRound * locked_error_;
   locked_error_ = error;
@@ -243,9 +242,9 @@ bool Foldless::prove_infeasible() {
 
 void Foldless::after_locked_attempt(Attempt& attempt) {
   const bool is_nearer = attempt.work.error() < work_.error();
-  if (is_nearer && std::holds_alternative<Transport>(attempt.way)) {
-    attempt.work.set_energy(energy_);
-    attempt.way = Approach(attempt.work);
+  if (attempt.is_transport()) other_ways_.take_locked(attempt.work);
+  if (is_nearer && attempt.is_transport()) {
+    attempt.begin_approach();
     return;
   }
   if (is_nearer)
@@ -270,28 +269,12 @@ void Foldless::begin_next_attempt() {
   Workspace work = work_;
   work.set_mesh(at_rest());
   work.system.set_lagging(false);
-  if (attempts_++ == 0) {
-    Approach way(work);
-    stage_ = Attempt{std::move(work), std::move(way)};
-    return;
-  }
-  const Points starts = held_where_they_are(work.positions, initial_.rest()).targets;
-  const int faces = initial_.face_count();
-  const std::vector<TransportPlan> plans = transport_plans(
-      starts, work.positions.targets, faces <= kLargestInManyOrders ? kRandomOrders : 0);
-  const std::size_t next = attempts_ - 2;
-  const bool is_refined = next >= plans.size();
-  if (next >= 2 * plans.size() || (is_refined && faces > kLargestRefined)) {
-    if (satisfied_)
-      end_satisfied();
-    else
-      outcome_ = Outcome::step;
-    return;
-  }
-  if (is_refined) work.refine();
-  work.set_energy(Transport::energy(energy_.delta));
-  Transport way(work, plans[next % plans.size()]);
-  stage_ = Attempt{std::move(work), std::move(way)};
+  if (std::optional<Attempt> next = other_ways_.next(work))
+    stage_ = std::move(*next);
+  else if (satisfied_)
+    end_satisfied();
+  else
+    outcome_ = Outcome::step;
 }
 
 bool Foldless::split() {
@@ -310,7 +293,7 @@ Iteration Foldless::record(Workspace& work, const VertexUpdate& update,
                            const Positions& positions) {
   work.system.assemble_gradient(work.mesh.deformed(), positions);
   Iteration iteration = record_of(update, work.system, work.mesh, work.positions);
-  iteration.outer = split_rounds_ + static_cast<int>(attempts_);
+  iteration.outer = split_rounds_ + other_ways_.count();
   iteration.inner = ++inner_;
   iteration.flips = work.flips;
   iteration.splits = work.splits;

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "core/method/foldless/approach.h"
+#include "core/method/foldless/attempt.h"
 #include "core/method/foldless/coarse.h"
 #include "core/method/foldless/held_regions.h"
+#include "core/method/foldless/other_ways.h"
 #include "core/method/foldless/pursue.h"
 #include "core/method/foldless/tidy.h"
-#include "core/method/foldless/transport.h"
 #include "core/method/method.h"
 
 namespace foldless {
@@ -46,12 +47,6 @@ class Foldless final : public Method {
   StageTimes times() const override { return work_.system.times; }
 
  private:
-  /// Another way to the targets, on a mesh of its own.
-  struct Attempt {
-    Workspace work;
-    std::variant<Approach, Transport> way;
-  };
-
   using Stage = std::variant<Approach, Attempt, Coarse, Pursue, Tidy>;
 
   Stage first_stage();
@@ -85,7 +80,7 @@ class Foldless final : public Method {
   std::string verdict_;
   int inner_ = 0;
   int split_rounds_ = 0;
-  std::size_t attempts_ = 0;            ///< since the targets moved
+  OtherWays other_ways_;                ///< since the targets moved
   std::optional<Workspace> satisfied_;  ///< the best so far, while more is tried
   int attempts_when_crushed_ = 0;
   double locked_error_ = 0;  ///< ‖P‖² when the approach locked last

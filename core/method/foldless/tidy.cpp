@@ -20,6 +20,8 @@ constexpr double kCrowded = 0.1;
 /// they go for more of it.
 constexpr int kMostCrowdedRounds = 10;
 constexpr double kRiseOfACrowdedVertex = 0.1;
+/// and with a triangle that is crushed by no more than this; settling mends most of them.
+constexpr double kLargestDistortionWhenCrowded = 10 * Tidy::kCrushed;
 constexpr double kRiseOfACrowdedRound = 1;
 constexpr double kLargeExponent = 0.2;
 
@@ -58,7 +60,7 @@ bool Tidy::collapse(Workspace& workspace) {
               .first_removable = first_removable_,
               .largest_rise =
                   (crowded ? kRiseOfACrowdedVertex : kRiseOfAVertex) * settle_.energy_of(workspace),
-              .largest_distortion = kCrushed}) > 0;
+              .largest_distortion = crowded ? kLargestDistortionWhenCrowded : kCrushed}) > 0;
 }
 
 bool Tidy::begin_uncrushing(Workspace& workspace) {

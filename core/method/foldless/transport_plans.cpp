@@ -8,7 +8,7 @@
 namespace foldless {
 namespace {
 
-/// Handles that turn together by more than this travel in spirals first. [rad]
+/// Handles that turn by more than this turn together. [rad]
 constexpr double kTurn = 0.5;
 constexpr double kShortStride = 0.02;
 /// Of every second pair of those in a random order.
@@ -48,10 +48,14 @@ std::vector<std::vector<int>> shuffled(std::vector<std::vector<int>> groups, std
 
 }  // namespace
 
+bool turn_together(const Points& starts, const Points& targets) {
+  return std::abs(HandlePaths::common_turn(starts, targets)) > kTurn;
+}
+
 std::vector<TransportPlan> transport_plans(const Points& starts, const Points& targets,
                                            int random_orders) {
   const auto all = together(static_cast<int>(starts.cols()));
-  const bool turns = std::abs(HandlePaths::common_turn(starts, targets)) > kTurn;
+  const bool turns = turn_together(starts, targets);
   const PathKind first = turns ? PathKind::turning : PathKind::straight;
   const PathKind second = turns ? PathKind::straight : PathKind::turning;
   const auto in_turn = farthest_first(starts, targets);
@@ -64,6 +68,14 @@ std::vector<TransportPlan> transport_plans(const Points& starts, const Points& t
     plans.push_back({i % 2 == 0 ? first : second, shuffled(in_turn, random),
                      i % 4 < 2 ? TransportPlan().stride : kMediumStride});
   return plans;
+}
+
+TransportPlan plan_of_round(int round, const Points& starts, const Points& targets) {
+  const bool are_together = round % 4 < 2;
+  return {
+      PathKind::straight,
+      are_together ? together(static_cast<int>(starts.cols())) : farthest_first(starts, targets),
+      round % 2 == 0 ? TransportPlan().stride : kShortStride};
 }
 
 }  // namespace foldless

@@ -14,4 +14,11 @@ namespace foldless {
 std::vector<TransportPlan> transport_plans(const Points& starts, const Points& targets,
                                            int random_orders);
 
+/// Whether handles turn about a common centre: such are carried along spirals first.
+bool turn_together(const Points& starts, const Points& targets);
+
+/// How handles go on from where a transport locked, round after round: along lines, together and
+/// one after the other by turns, in strides that are shorter every second time.
+TransportPlan plan_of_round(int round, const Points& starts, const Points& targets);
+
 }  // namespace foldless

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/attempt.h"
+
+#include <gtest/gtest.h>
+
+#include "core/method/foldless/transport_plans.h"
+#include "tests/core/method/foldless/held_frame.h"
+#include "tests/support/valid_pair.h"
+
+namespace foldless {
+namespace {
+
+constexpr int kMostStepsOfAnAttempt = 3000;
+
+Progress run_to_its_end(Attempt& attempt) {
+  Progress progress = Progress::running;
+  for (int step = 0; step < kMostStepsOfAnAttempt && progress == Progress::running; ++step) {
+    VertexUpdate update;
+    progress = attempt.step({}, update);
+    EXPECT_TRUE(test::is_valid(attempt.work.mesh));
+  }
+  return progress;
+}
+
+Attempt all_together(const Workspace& workspace, bool is_persistent) {
+  const Points starts = held_where_they_are(workspace.positions, workspace.mesh.deformed()).targets;
+  const TransportPlan plan = transport_plans(starts, workspace.positions.targets, 0).front();
+  return Attempt::transport(workspace, workspace.system.objective().settings(), plan,
+                            is_persistent);
+}
+
+TEST(Attempt, APersistentTransportArrivesWhereAnotherLocks) {
+  int locked = 0, arrived = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Workspace workspace = test::held_frame(seed);
+    Attempt plain = all_together(workspace, false);
+    if (run_to_its_end(plain) != Progress::locked) continue;
+    ++locked;
+    Attempt persistent = all_together(workspace, true);
+    if (run_to_its_end(persistent) != Progress::arrived) continue;
+    ++arrived;
+    EXPECT_EQ(persistent.work.error(), 0);
+  }
+  EXPECT_GE(locked, 8) << "the claim would be empty";
+  EXPECT_GE(arrived, 3);
+}
+
+TEST(Attempt, GoesOnFromWhereATransportLocked) {
+  int locked = 0, nearer = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Workspace workspace = test::held_frame(seed);
+    Attempt plain = all_together(workspace, false);
+    if (run_to_its_end(plain) != Progress::locked) continue;
+    ++locked;
+    Attempt on = Attempt::going_on(plain.work, workspace.system.objective().settings());
+    EXPECT_TRUE(on.is_transport());
+    EXPECT_EQ(on.work.error(), plain.work.error());
+    run_to_its_end(on);
+    nearer += on.work.error() < plain.work.error();
+  }
+  EXPECT_GT(nearer, locked / 2);
+}
+
+TEST(Attempt, AnApproachThatFollowsATransportHasTheEnergyOfTheScene) {
+  const Workspace workspace = test::held_frame(1);
+  Attempt attempt = all_together(workspace, false);
+  const Density* of_scene = workspace.system.objective().settings().density;
+  EXPECT_NE(attempt.work.system.objective().settings().density, of_scene);
+  attempt.begin_approach();
+  EXPECT_FALSE(attempt.is_transport());
+  EXPECT_EQ(attempt.work.system.objective().settings().density, of_scene);
+}
+
+}  // namespace
+}  // namespace foldless
