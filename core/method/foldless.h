@@ -23,9 +23,8 @@ namespace foldless {
 /// A dense mesh begins with the map of a coarser one, see Coarse; until that is there mesh() stays
 /// what it was. Pursue → Tidy where nothing is in the way; else Approach → Tidy, from the
 /// beginning. A locked approach splits edges at the handles that are not home and begins again;
-/// when that gains no more, other ways from the rest state are tried on a second mesh, an approach
-/// and transports, while mesh() stays the best one so far. Targets that move are pursued from the
-/// mesh as it is.
+/// when that gains no more, OtherWays are tried on a second mesh, while mesh() stays the best one
+/// so far. Targets that move are pursued from the mesh as it is.
 ///
 /// Where the whole boundary of a component is held its edges are not split, and an approach that
 /// locks ends as Outcome::infeasible if why_infeasible() has a proof, with its sentence for
