@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "core/method/foldless/transport_plans.h"
 #include "tests/core/method/foldless/held_frame.h"
 #include "tests/support/valid_pair.h"
@@ -29,38 +31,44 @@ Attempt all_together(const Workspace& workspace, bool is_persistent) {
                             is_persistent);
 }
 
-TEST(Attempt, APersistentTransportArrivesWhereAnotherLocks) {
-  int locked = 0, arrived = 0;
+struct LockedTransport {
+  Workspace at_rest, locked;
+};
+
+std::vector<LockedTransport> locked_transports() {
+  std::vector<LockedTransport> found;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const Workspace workspace = test::held_frame(seed);
-    Attempt plain = all_together(workspace, false);
-    if (run_to_its_end(plain) != Progress::locked) continue;
-    ++locked;
-    Attempt persistent = all_together(workspace, true);
+    const Workspace at_rest = test::held_frame(seed);
+    Attempt plain = all_together(at_rest, false);
+    if (run_to_its_end(plain) == Progress::locked) found.push_back({at_rest, plain.work});
+  }
+  EXPECT_GE(found.size(), 8U) << "the claims would be empty";
+  return found;
+}
+
+TEST(Attempt, APersistentTransportArrivesWhereAnotherLocks) {
+  int arrived = 0;
+  for (const auto& [at_rest, locked] : locked_transports()) {
+    Attempt persistent = all_together(at_rest, true);
     if (run_to_its_end(persistent) != Progress::arrived) continue;
     ++arrived;
     EXPECT_EQ(persistent.work.error(), 0);
   }
-  EXPECT_GE(locked, 8) << "the claim would be empty";
   EXPECT_GE(arrived, 3);
 }
 
 TEST(Attempt, GoesOnFromWhereATransportLocked) {
-  int locked = 0, nearer = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const Workspace workspace = test::held_frame(seed);
-    Attempt plain = all_together(workspace, false);
-    if (run_to_its_end(plain) != Progress::locked) continue;
-    ++locked;
-    Attempt on = Attempt::going_on(plain.work, workspace.system.objective().settings());
+  const std::vector<LockedTransport> transports = locked_transports();
+  std::size_t nearer = 0;
+  for (const auto& [at_rest, locked] : transports) {
+    Attempt on = Attempt::going_on(locked, at_rest.system.objective().settings());
     EXPECT_TRUE(on.is_transport());
-    EXPECT_EQ(on.work.error(), plain.work.error());
+    EXPECT_EQ(on.work.error(), locked.error());
     run_to_its_end(on);
-    nearer += on.work.error() < plain.work.error();
+    nearer += on.work.error() < locked.error();
   }
-  EXPECT_GT(nearer, locked / 2);
+  EXPECT_GT(2 * nearer, transports.size());
 }
 
 TEST(Attempt, AnApproachThatFollowsATransportHasTheEnergyOfTheScene) {
