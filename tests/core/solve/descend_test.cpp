@@ -50,6 +50,7 @@ TEST(Descend, AFactorServesSeveralSteps) {
     if (update.decrement < 1e-12) break;
   }
   EXPECT_LT(update.decrement, 1e-12);
+  EXPECT_LT(update.step_infinity_norm, 6e-6);
   EXPECT_LT(system.counters.factorizations, system.counters.updates);
 }
 

@@ -32,6 +32,7 @@ Attempt all_together(const Workspace& workspace, bool is_persistent) {
 }
 
 struct LockedTransport {
+  std::uint64_t seed;
   Workspace at_rest, locked;
 };
 
@@ -41,7 +42,7 @@ std::vector<LockedTransport> locked_transports() {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Workspace at_rest = test::held_frame(seed);
     Attempt plain = all_together(at_rest, false);
-    if (run_to_its_end(plain) == Progress::locked) found.push_back({at_rest, plain.work});
+    if (run_to_its_end(plain) == Progress::locked) found.push_back({seed, at_rest, plain.work});
   }
   EXPECT_GE(found.size(), 8U) << "the claims would be empty";
   return found;
@@ -49,7 +50,8 @@ std::vector<LockedTransport> locked_transports() {
 
 TEST(Attempt, APersistentTransportArrivesWhereAnotherLocks) {
   int arrived = 0;
-  for (const auto& [at_rest, locked] : locked_transports()) {
+  for (const auto& [seed, at_rest, locked] : locked_transports()) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
     Attempt persistent = all_together(at_rest, true);
     if (run_to_its_end(persistent) != Progress::arrived) continue;
     ++arrived;
@@ -61,7 +63,8 @@ TEST(Attempt, APersistentTransportArrivesWhereAnotherLocks) {
 TEST(Attempt, GoesOnFromWhereATransportLocked) {
   const std::vector<LockedTransport> transports = locked_transports();
   std::size_t nearer = 0;
-  for (const auto& [at_rest, locked] : transports) {
+  for (const auto& [seed, at_rest, locked] : transports) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
     Attempt on = Attempt::going_on(locked, at_rest.system.objective().settings());
     EXPECT_TRUE(on.is_transport());
     EXPECT_EQ(on.work.error(), locked.error());
