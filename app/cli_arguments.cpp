@@ -13,7 +13,7 @@
 #include "core/data_path.h"
 #include "core/energy/densities.h"
 #include "core/error.h"
-#include "core/mesh/text_lines.h"
+#include "core/files/text_lines.h"
 #include "core/method/methods.h"
 #include "core/scene/parameter_keys.h"
 

@@ -20,7 +20,7 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_problem.h"
 #include "app/cli_results.h"
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/method/methods.h"
 
 namespace foldless {

@@ -10,7 +10,7 @@
 #include "app/cli_calls.h"
 #include "app/cli_problem.h"
 #include "app/cli_solved_folder.h"
-#include "core/energy/positions.h"
+#include "core/energy/constraints.h"
 #include "core/error.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/orientation.h"
@@ -120,7 +120,7 @@ void add_handles(const Scene& scene, const MeshFiles& files, Line& line) {
   if (deformed.cols() < expected)
     throw Error("the meshes have " + std::to_string(deformed.cols()) +
                 " vertices, but the scene needs " + std::to_string(expected));
-  const Positions positions = positions_of(scene.handles);
+  const Constraints positions = constraints_of(scene.handles);
   const double error = handle_error_squared(positions, deformed);
   double largest = 0;
   for (const Handle& handle : scene.handles)

@@ -7,8 +7,8 @@
 #include "app/cli_problem.h"
 #include "app/cli_solved_folder.h"
 #include "core/error.h"
-#include "core/mesh/mesh_io.h"
-#include "core/mesh/text_lines.h"
+#include "core/files/mesh_io.h"
+#include "core/files/text_lines.h"
 #include "core/run/original_edges.h"
 
 namespace foldless {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/energy/positions.h"
+#include "core/energy/constraints.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
 #include "core/method/methods.h"
@@ -103,7 +103,7 @@ JsonNode report_of(const Solved& solved) {
       {"outcome", node_of(name_of(solved.outcome))},
       {"satisfied", {solved.satisfied}},
       {"handle_error_squared",
-       node_of(handle_error_squared(positions_of(state.handles), state.deformed))},
+       node_of(handle_error_squared(constraints_of(state.handles), state.deformed))},
       {"factorizations", node_of(last.factorizations)},
       {"updates", node_of(last.updates)},
       {"iterations", node_of(static_cast<double>(solved.iterations.size()))},

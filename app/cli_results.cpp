@@ -6,11 +6,11 @@
 #include <system_error>
 #include <utility>
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/error.h"
-#include "core/iterations_csv.h"
-#include "core/mesh/mesh_io.h"
-#include "core/mesh/text_lines.h"
+#include "core/files/iterations_csv.h"
+#include "core/files/mesh_io.h"
+#include "core/files/text_lines.h"
 
 namespace foldless {
 namespace {

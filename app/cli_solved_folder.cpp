@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/error.h"
 #include "core/mesh/injective.h"
 #include "core/scene/handle_kind.h"

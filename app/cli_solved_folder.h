@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/mesh/mesh_io.h"
+#include "core/files/mesh_io.h"
 #include "core/snapshot.h"
 
 namespace foldless {

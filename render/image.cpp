@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/error.h"
 #include "render/png_chunks.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/error.h"
 #include "render/image.h"
 #include "render/png_chunks.h"

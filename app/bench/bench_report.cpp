@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "core/mesh/text_lines.h"
+#include "core/files/text_lines.h"
 
 namespace foldless {
 namespace {

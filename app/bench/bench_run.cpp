@@ -5,12 +5,12 @@
 #include <limits>
 
 #include "app/bench/drag_run.h"
-#include "core/energy/positions.h"
+#include "core/energy/constraints.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
 #include "core/method/satisfied.h"
 #include "core/run/run.h"
-#include "core/solve/stage_times.h"
+#include "core/stage_times.h"
 
 namespace foldless {
 namespace {
@@ -40,7 +40,7 @@ double distortion_energy(const Density& energy, const Snapshot& state) {
 
 void measure(const Density& energy, const Snapshot& state, BenchRow& row) {
   row.is_valid = is_injective(*state.triangles, *state.rest, state.deformed);
-  row.handle_error_squared = handle_error_squared(positions_of(state.handles), state.deformed);
+  row.handle_error_squared = handle_error_squared(constraints_of(state.handles), state.deformed);
   row.distortion_energy = distortion_energy(energy, state);
   row.vertices_added = static_cast<int>(state.rest->cols()) - row.vertices;
   if (!row.is_valid) {

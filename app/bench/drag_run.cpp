@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/solve/stage_times.h"
+#include "core/stage_times.h"
 
 namespace foldless {
 namespace {

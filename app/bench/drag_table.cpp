@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/mesh/text_lines.h"
+#include "core/files/text_lines.h"
 
 namespace foldless {
 namespace {

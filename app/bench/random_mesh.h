@@ -20,7 +20,7 @@ struct RandomMesh {
 };
 
 /// A mesh of random kind and size: most of 100 to 1500 triangles, one in twelve of up to 5000.
-/// Positions are multiples of 2^-20, so that they do not hang on a machine's last digits. Throws
+/// Constraints are multiples of 2^-20, so that they do not hang on a machine's last digits. Throws
 /// Error when a mesh of assets/meshes is missing.
 RandomMesh random_mesh(RandomNumbers& random);
 

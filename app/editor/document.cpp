@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/energy/densities.h"
-#include "core/energy/positions.h"
+#include "core/energy/constraints.h"
 #include "core/method/satisfied.h"
 #include "core/run/original_edges.h"
 
@@ -113,7 +113,7 @@ double target_tolerance(const Document& document) {
 bool is_at_targets(const Document& document) {
   if (document.handles.empty()) return true;
   const double error =
-      handle_error_squared(positions_of(document.handles), document.pose->deformed);
+      handle_error_squared(constraints_of(document.handles), document.pose->deformed);
   const double tolerance = target_tolerance(document);
   return error <= tolerance * tolerance;
 }

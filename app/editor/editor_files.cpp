@@ -10,7 +10,7 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/scene_document.h"
-#include "core/mesh/mesh_io.h"
+#include "core/files/mesh_io.h"
 #include "core/method/methods.h"
 #include "core/scene/scene_io.h"
 

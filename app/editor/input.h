@@ -32,7 +32,7 @@ enum class Key {
 
 enum class Button { left, right, middle };
 
-/// Positions of pointer events are framebuffer pixels from the top left corner of the canvas, y
+/// Constraints of pointer events are framebuffer pixels from the top left corner of the canvas, y
 /// down; they may lie outside it during a drag.
 struct PointerPressed {
   Button button = Button::left;

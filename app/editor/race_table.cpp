@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "core/iterations_csv.h"
-#include "core/mesh/text_lines.h"
+#include "core/files/iterations_csv.h"
+#include "core/files/text_lines.h"
 
 namespace foldless {
 namespace {

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/error.h"
 
 namespace foldless {

@@ -9,7 +9,7 @@
 #include "app/gui/ui_state.h"
 #include "app/gui/widgets.h"
 #include "core/error.h"
-#include "core/mesh/mesh_io.h"
+#include "core/files/mesh_io.h"
 
 namespace foldless {
 namespace {

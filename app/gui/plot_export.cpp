@@ -10,7 +10,7 @@
 #include "app/editor/race_table.h"
 #include "app/export/svg_plot.h"
 #include "app/gui/theme.h"
-#include "core/iterations_csv.h"
+#include "core/files/iterations_csv.h"
 
 namespace foldless {
 namespace {

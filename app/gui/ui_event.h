@@ -20,7 +20,7 @@ struct ModifiersHeld {
 /// The pointer left the window.
 struct WindowLeft {};
 
-/// What a window tells the interface. Positions of pointer events are window coordinates, y down;
+/// What a window tells the interface. Constraints of pointer events are window coordinates, y down;
 /// the interface turns them into framebuffer pixels of the canvas for the editor.
 using UiEvent = std::variant<InputEvent, CharacterTyped, ModifiersHeld, WindowLeft>;
 

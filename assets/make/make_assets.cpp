@@ -5,7 +5,7 @@
 
 #include "assets/make/sample_meshes.h"
 #include "assets/make/sample_scenes.h"
-#include "core/mesh/mesh_io.h"
+#include "core/files/mesh_io.h"
 #include "core/scene/scene_io.h"
 
 namespace {

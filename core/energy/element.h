@@ -20,7 +20,8 @@ struct EnergySettings {
   double alpha = 5e7;                ///< weight of the penalty
   double beta = 0.01;         ///< weight of a triangle's barrier χ_t; 0 keeps only the bound
   double delta = 1e-5;        ///< smallest A′/A, in (0, 1)
-  bool area_weighted = true;  ///< false: Σ ψ instead of Σ A ψ
+  bool area_weighted = true;  ///< false: unit_area Σ ψ instead of Σ A ψ
+  double unit_area = 1;       ///< D², so that no sum depends on the unit of length [length²]
   bool barrier_area_weighted = false;  ///< true: Σ β A χ instead of Σ β χ
   Reference reference = Reference::rest;
   double conformal_weight = 0;  ///< of conformal_square_value() of every triangle, large or small
@@ -57,7 +58,8 @@ struct ElementHessian {
 
 RestElement rest_element(const Corners& rest);
 /// What the energy compares a triangle of M with.
-RestElement rest_element(const EnergySettings& settings, const Corners& rest);
+RestElement reference_element(const EnergySettings& settings, const RestElement& rest);
+RestElement reference_element(const EnergySettings& settings, const Corners& rest);
 /// The corners of a triangle of a mesh.
 inline Corners corners_of(const Points& points, const Eigen::Vector3i& triangle) {
   Corners corners;

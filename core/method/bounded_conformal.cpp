@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "core/mesh/text_lines.h"
+#include "core/files/text_lines.h"
 #include "core/method/map_words.h"
 
 namespace foldless {
@@ -35,97 +34,149 @@ std::string lambda_words(double lambda) {
 BoundedConformal::BoundedConformal(Problem problem)
     : mesh_(problem.mesh),
       parameters_(problem.parameters),
-      positions_(positions_of(problem.handles)),
+      constraints_(constraints_of(problem.handles)),
       system_(problem, "bounded-conformal"),
-      checker_(mesh_.triangles(), mesh_.vertex_count()),
-      path_(HandlePath::straight({}, {})) {
-  begin();
-}
-
-std::unique_ptr<Method> BoundedConformal::clone() const {
-  return std::make_unique<BoundedConformal>(*this);
+      checker_(mesh_.triangles(), mesh_.vertex_count()) {
+  begin(solve());
 }
 
 void BoundedConformal::set_targets(const Points& targets) {
-  positions_.targets = targets;
-  begin();
+  constraints_.targets = targets;
+  begin(solve());
 }
 
-Points BoundedConformal::handle_start() const {
-  return held_where_they_are(positions_, start_).targets;
-}
-
-void BoundedConformal::begin() {
-  outcome_.reset();
+Steps<Outcome> BoundedConformal::solve() {
   verdict_.clear();
-  improvements_ = 0;
   frames_.clear();
-  farthest_lambda_ = 0;
-  const double K = parameters_.distortion_bound;
-  const Points at_targets = system_.with_handles(mesh_.deformed(), positions_.targets);
-  if (!system_.are_held_triangles_bounded(at_targets, K))
-    return end(Outcome::infeasible,
-               "infeasible: a triangle of three handles is folded, or distorted beyond the bound");
+  const Points at_targets = system_.with_handles(mesh_.deformed(), constraints_.targets);
+  if (!system_.are_held_triangles_bounded(at_targets, parameters_.distortion_bound))
+    co_return end(
+        Outcome::infeasible,
+        "infeasible: a triangle of three handles is folded, or distorted beyond the bound");
   if (system_.triangle_count() == 0) {
     mesh_.set_deformed(at_targets);
-    return end(Outcome::step, words_on(checker_.check(at_targets)));
+    co_return end(Outcome::step, words_on(checker_.check(at_targets)));
   }
-  stage_ = Stage::first;
-  if (parameters_.start != StartFrames::continuation) return;
-  start_ = mesh_.deformed();
-  const bool can_start = system_.is_bounded(start_, kStartMargin * K) &&
-                         system_.are_held_triangles_bounded(start_, K) &&
-                         checker_.is_injective(start_);
-  if (!can_start) start_ = mesh_.rest();
-  is_second_path_ = false;
-  begin_path(HandlePath::straight(handle_start(), positions_.targets));
-  if (handle_start() != positions_.targets) return;
-  stage_ = Stage::improving;
-  energy_ = std::numeric_limits<double>::infinity();
+  std::optional<Outcome> ended;
+  if (parameters_.start == StartFrames::continuation)
+    ended = co_await continue_to_targets();
+  else
+    ended = co_await solve_with_given_frames();
+  if (ended) co_return *ended;
+  co_return co_await improve();
 }
 
-void BoundedConformal::begin_path(HandlePath path) {
-  path_ = std::move(path);
-  lambda_ = 0;
-  lambda_step_ = kFirstStep;
-  stage_ = Stage::moving;
-  frames_.assign(static_cast<std::size_t>(system_.triangle_count()), 1);
-  take(start_);
-}
-
-std::optional<Iteration> BoundedConformal::step(std::stop_token token) {
-  if (outcome_ || token.stop_requested()) return std::nullopt;
-  const double start = thread_seconds();
+Steps<std::optional<Outcome>> BoundedConformal::solve_with_given_frames() {
   const Points before = mesh_.deformed();
-  const bool is_moving = stage_ == Stage::moving;
-  const double lambda = is_moving ? std::min(1.0, lambda_ + lambda_step_) : 1;
-  Attempt attempted;
-  if (!frames_.empty() || find_first_frames(token))
-    attempted = attempt(is_moving ? path_.at(lambda) : positions_.targets,
-                        is_moving ? kMovingTolerance : kTolerance, token);
-  const bool was_cancelled = attempted.status == ConeStatus::cancelled;
-  if (!was_cancelled) {
-    switch (stage_) {
-      case Stage::first: take_first(std::move(attempted)); break;
-      case Stage::moving: take_move(lambda, std::move(attempted)); break;
-      case Stage::improving: take_improvement(std::move(attempted)); break;
-    }
+  const auto first = [this](const std::stop_token& token) {
+    if (frames_.empty() && !find_first_frames(token)) return Trial();
+    return solve_program(constraints_.targets, kTolerance, token);
+  };
+  Trial trial = co_await vertex_update(first);
+  const bool is_solved = trial.status == ConeStatus::solved;
+  if (is_solved) {
+    accept(std::move(trial.u));
+    ++updates_;
   }
-  seconds_ += thread_seconds() - start;
-  if (was_cancelled) return std::nullopt;
-  Iteration iteration = system_.record(mesh_, before, positions_);
-  iteration.inner = ++programs_;
-  iteration.updates = updates_;
-  iteration.step_length = mesh_.deformed() == before ? 0 : 1;
-  iteration.seconds = seconds_;
-  return iteration;
+  co_yield record(before);
+  if (is_solved) co_return std::nullopt;
+  co_return end_without_map(trial, "");
+}
+
+// Ends where the farther of the two paths came to.
+Steps<std::optional<Outcome>> BoundedConformal::continue_to_targets() {
+  const Points start = start_of_paths();
+  const Points handles = handle_positions(constraints_, start);
+  const HandlePaths straight(PathKind::straight, handles, constraints_.targets);
+  PathEnd farthest = co_await follow(start, straight);
+  const HandlePaths similar(PathKind::similar, handles, constraints_.targets);
+  if (farthest.lambda < 1 && similar.kind() == PathKind::similar) {
+    PathEnd second = co_await follow(start, similar);
+    if (second.lambda >= farthest.lambda)
+      farthest = std::move(second);
+    else
+      farthest.last = std::move(second.last);
+  }
+  if (farthest.lambda >= 1) co_return std::nullopt;
+  accept(std::move(farthest.u));
+  co_return end_without_map(farthest.last, " beyond lambda " + lambda_words(farthest.lambda));
+}
+
+Points BoundedConformal::start_of_paths() const {
+  const double K = parameters_.distortion_bound;
+  const Points& u = mesh_.deformed();
+  const bool can_start = system_.is_bounded(u, kStartMargin * K) &&
+                         system_.are_held_triangles_bounded(u, K) && checker_.is_injective(u);
+  return can_start ? u : mesh_.rest();
+}
+
+Steps<BoundedConformal::PathEnd> BoundedConformal::follow(const Points& start,
+                                                          const HandlePaths& path) {
+  frames_.assign(static_cast<std::size_t>(system_.triangle_count()), 1);
+  accept(start);
+  PathEnd end{path.at(0) == constraints_.targets ? 1.0 : 0.0, start, {}};
+  double step = kFirstStep;
+  while (end.lambda < 1) {
+    const Points before = mesh_.deformed();
+    const double lambda = std::min(1.0, end.lambda + step);
+    const auto move = [&](const std::stop_token& token) {
+      return solve_program(path.at(lambda), kMovingTolerance, token);
+    };
+    Trial trial = co_await vertex_update(move);
+    if (trial.status == ConeStatus::solved && !checker_.is_injective(trial.u)) {
+      trial.status = ConeStatus::not_converged;
+      trial.why = "the maps fold or wind twice";
+    }
+    if (trial.status == ConeStatus::solved) {
+      accept(std::move(trial.u));
+      ++updates_;
+      end.lambda = lambda;
+      step = std::min(kFirstStep, kStepGrowth * step);
+    } else {
+      step = 0.5 * (lambda - end.lambda);
+    }
+    co_yield record(before);
+    end.last = std::move(trial);
+    if (step < kSmallestStep) break;
+  }
+  end.u = mesh_.deformed();
+  co_return end;
+}
+
+Steps<Outcome> BoundedConformal::improve() {
+  const auto words = [this] { return words_on(checker_.check(mesh_.deformed())); };
+  double energy = system_.energy(mesh_.deformed());
+  const int most = std::min(kMostImprovements, parameters_.inner_iterations);
+  for (int improvements = 1;; ++improvements) {
+    const Points before = mesh_.deformed();
+    const auto program = [this](const std::stop_token& token) {
+      return solve_program(constraints_.targets, kTolerance, token);
+    };
+    Trial trial = co_await vertex_update(program);
+    if (trial.status != ConeStatus::solved) {
+      co_yield record(before);
+      co_return end(Outcome::not_converged, trial.why + "; the map before stands");
+    }
+    const double next = system_.energy(trial.u);
+    if (next > energy) {
+      co_yield record(before);
+      co_return end(Outcome::step, words());
+    }
+    const bool gains = energy - next > kEnergyGain * energy + kEnergyFloor;
+    const double turn = accept(std::move(trial.u));
+    ++updates_;
+    energy = next;
+    co_yield record(before);
+    if (!gains || turn < kFrameChange) co_return end(Outcome::step, words());
+    if (improvements >= most) co_return end(Outcome::iteration_limit, words());
+  }
 }
 
 bool BoundedConformal::find_first_frames(const std::stop_token& token) {
   frames_.assign(static_cast<std::size_t>(system_.triangle_count()), 1);
   if (parameters_.start == StartFrames::rest) return true;
-  const Points held = system_.with_handles(mesh_.deformed(), positions_.targets);
-  const auto minimum = system_.unconstrained_minimum(held, positions_.targets, token);
+  const Points held = system_.with_handles(mesh_.deformed(), constraints_.targets);
+  const auto minimum = system_.unconstrained_minimum(held, constraints_.targets, token);
   if (!minimum) {
     frames_.clear();
     return false;
@@ -135,9 +186,9 @@ bool BoundedConformal::find_first_frames(const std::stop_token& token) {
   return true;
 }
 
-BoundedConformal::Attempt BoundedConformal::attempt(const Points& handle_positions,
-                                                    double tolerance,
-                                                    const std::stop_token& token) {
+BoundedConformal::Trial BoundedConformal::solve_program(const Points& handle_positions,
+                                                        double tolerance,
+                                                        const std::stop_token& token) {
   const double K = parameters_.distortion_bound;
   const double k = dilatation_bound(K);
   const Points u = system_.with_handles(mesh_.deformed(), handle_positions);
@@ -164,67 +215,7 @@ BoundedConformal::Attempt BoundedConformal::attempt(const Points& handle_positio
   return {};
 }
 
-void BoundedConformal::take_first(Attempt attempt) {
-  if (attempt.status != ConeStatus::solved) return end_without_map(attempt, "");
-  take(std::move(attempt.u));
-  ++updates_;
-  energy_ = system_.energy(mesh_.deformed());
-  stage_ = Stage::improving;
-}
-
-void BoundedConformal::take_move(double lambda, Attempt attempt) {
-  if (attempt.status == ConeStatus::solved && !checker_.is_injective(attempt.u)) {
-    attempt.status = ConeStatus::not_converged;
-    attempt.why = "the maps fold or wind twice";
-  }
-  if (attempt.status != ConeStatus::solved) {
-    lambda_step_ = 0.5 * (lambda - lambda_);
-    if (lambda_step_ < kSmallestStep) give_up_path(attempt);
-    return;
-  }
-  take(std::move(attempt.u));
-  ++updates_;
-  lambda_ = lambda;
-  lambda_step_ = std::min(kFirstStep, kStepGrowth * lambda_step_);
-  if (lambda < 1) return;
-  energy_ = system_.energy(mesh_.deformed());
-  stage_ = Stage::improving;
-}
-
-// Ends where the farther of the two paths came to.
-void BoundedConformal::give_up_path(const Attempt& attempt) {
-  HandlePath similar = HandlePath::similar(handle_start(), positions_.targets);
-  if (!is_second_path_ && similar.is_similar()) {
-    is_second_path_ = true;
-    farthest_lambda_ = lambda_;
-    farthest_ = mesh_.deformed();
-    return begin_path(std::move(similar));
-  }
-  if (is_second_path_ && farthest_lambda_ > lambda_) {
-    lambda_ = farthest_lambda_;
-    take(farthest_);
-  }
-  end_without_map(attempt, " beyond lambda " + lambda_words(lambda_));
-}
-
-void BoundedConformal::take_improvement(Attempt attempt) {
-  if (attempt.status != ConeStatus::solved)
-    return end(Outcome::not_converged, attempt.why + "; the map before stands");
-  const double energy = system_.energy(attempt.u);
-  const bool gains = energy_ - energy > kEnergyGain * energy_ + kEnergyFloor;
-  if (energy > energy_) return end(Outcome::step, words_on(checker_.check(mesh_.deformed())));
-  const double turn = take(std::move(attempt.u));
-  ++updates_;
-  energy_ = energy;
-  ++improvements_;
-  const int most = std::min(kMostImprovements, parameters_.inner_iterations);
-  if (!gains || turn < kFrameChange)
-    end(Outcome::step, words_on(checker_.check(mesh_.deformed())));
-  else if (improvements_ >= most)
-    end(Outcome::iteration_limit, words_on(checker_.check(mesh_.deformed())));
-}
-
-double BoundedConformal::take(Points u) {
+double BoundedConformal::accept(Points u) {
   mesh_.set_deformed(std::move(u));
   const std::vector<ConformalParts> parts = system_.parts(mesh_.deformed());
   double largest_turn = 0;
@@ -236,14 +227,22 @@ double BoundedConformal::take(Points u) {
   return largest_turn;
 }
 
-void BoundedConformal::end(Outcome outcome, std::string verdict) {
-  outcome_ = outcome;
-  verdict_ = std::move(verdict);
+Iteration BoundedConformal::record(const Points& before) {
+  Iteration iteration = system_.record(mesh_, before, constraints_);
+  iteration.inner = ++programs_;
+  iteration.updates = updates_;
+  iteration.step_length = mesh_.deformed() == before ? 0 : 1;
+  return iteration;
 }
 
-void BoundedConformal::end_without_map(const Attempt& attempt, const std::string& where) {
-  end(attempt.status == ConeStatus::infeasible ? Outcome::infeasible : Outcome::not_converged,
-      attempt.why + where);
+Outcome BoundedConformal::end(Outcome outcome, std::string verdict) {
+  verdict_ = std::move(verdict);
+  return outcome;
+}
+
+Outcome BoundedConformal::end_without_map(const Trial& trial, const std::string& where) {
+  return end(trial.status == ConeStatus::infeasible ? Outcome::infeasible : Outcome::not_converged,
+             trial.why + where);
 }
 
 }  // namespace foldless

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/method/conformal_system.h"
-#include "core/method/handle_path.h"
+#include "core/method/handle_paths.h"
+#include "core/method/stepped_method.h"
 
 namespace foldless {
 
@@ -22,70 +23,56 @@ namespace foldless {
 ///
 /// A map that meets all bounds may still wind twice round an interior vertex when it starts from
 /// given frames. The problem's rest mesh has a bounding-box diagonal of about 1.
-class BoundedConformal final : public Method {
+class BoundedConformal final : public SteppedMethod {
  public:
   /// Throws Error when the energy is none of dirichlet, lscm and arap, or cannot hold a part of
   /// the mesh.
   explicit BoundedConformal(Problem problem);
 
-  std::unique_ptr<Method> clone() const override;
-  std::optional<Iteration> step(std::stop_token token) override;
-  std::optional<Outcome> outcome() const override { return outcome_; }
   std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return mesh_; }
   void set_targets(const Points& targets) override;
   StageTimes times() const override { return system_.solver.times(); }
 
  private:
-  enum class Stage {
-    first,      ///< the first program of given frames
-    moving,     ///< the handles are on their way
-    improving,  ///< at the targets, the frames follow the map
-  };
   /// One program's end: a map, or why there is none.
-  struct Attempt {
+  struct Trial {
     ConeStatus status = ConeStatus::cancelled;
     Points u;
     std::string why;
+    friend bool is_cancelled(const Trial& trial) { return trial.status == ConeStatus::cancelled; }
+  };
+  /// How far a path led.
+  struct PathEnd {
+    double lambda = 0;  ///< 1 at the targets
+    Points u;           ///< the map there
+    Trial last;         ///< why it led no farther
   };
 
-  void begin();
-  void begin_path(HandlePath path);
+  Steps<Outcome> solve();
+  Steps<std::optional<Outcome>> solve_with_given_frames();
+  Steps<std::optional<Outcome>> continue_to_targets();
+  Steps<PathEnd> follow(const Points& start, const HandlePaths& path);
+  Steps<Outcome> improve();
+
   bool find_first_frames(const std::stop_token& token);
-  Attempt attempt(const Points& handle_positions, double tolerance, const std::stop_token& token);
-  void take_first(Attempt attempt);
-  void take_move(double lambda, Attempt attempt);
-  void take_improvement(Attempt attempt);
-  void give_up_path(const Attempt& attempt);
-  double take(Points u);
-  void end(Outcome outcome, std::string verdict);
-  void end_without_map(const Attempt& attempt, const std::string& where);
-  Points handle_start() const;
+  Trial solve_program(const Points& handle_positions, double tolerance,
+                      const std::stop_token& token);
+  double accept(Points u);
+  Points start_of_paths() const;
+  Iteration record(const Points& before);
+  Outcome end(Outcome outcome, std::string verdict);
+  Outcome end_without_map(const Trial& trial, const std::string& where);
 
   MeshPair mesh_;
   Parameters parameters_;
-  Positions positions_;
+  Constraints constraints_;
   ConformalSystem system_;
   InjectivityChecker checker_;
-
-  std::optional<Outcome> outcome_;
   std::string verdict_;
-  Stage stage_ = Stage::first;
   std::vector<Complex> frames_;  ///< e^{iθ}, one a triangle of the system
-  double energy_ = 0;            ///< of mesh_, when improving
-  int improvements_ = 0;
   int programs_ = 0;
-  int updates_ = 0;  ///< maps that were taken
-  double seconds_ = 0;
-
-  // Of the continuation.
-  Points start_;  ///< the map that every path begins with
-  HandlePath path_;
-  bool is_second_path_ = false;
-  double lambda_ = 0;
-  double lambda_step_ = 0;
-  double farthest_lambda_ = 0;  ///< of the path before this one
-  Points farthest_;             ///< its map there
+  int updates_ = 0;  ///< maps that were accepted
 };
 
 }  // namespace foldless

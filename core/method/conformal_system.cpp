@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/energy/unknowns.h"
+#include "core/mesh/components.h"
 #include "core/error.h"
 #include "core/mesh/quality.h"
 
@@ -47,7 +47,7 @@ Eigen::Matrix<double, 4, 6> derivative_matrix(const Eigen::Matrix<double, 2, 3>&
 
 /// Every component of a problem under a conformal energy needs two handles, or it may grow.
 void expect_two_handles(const Problem& problem, std::string_view method) {
-  const std::vector<int> component = components_of(problem.mesh);
+  const std::vector<int> component = components_of(problem.mesh.triangles(), problem.mesh.vertex_count());
   std::vector<int> handles(component.size(), 0);
   const auto of = [&](const Handle& h) {
     return static_cast<std::size_t>(component[static_cast<std::size_t>(h.vertex)]);
@@ -78,20 +78,15 @@ ConformalSystem::ConformalSystem(const Problem& problem, std::string_view method
 }
 
 void ConformalSystem::find_unknowns(const Problem& problem) {
-  std::vector<int> handle_vertices;
-  for (const Handle& handle : problem.handles) {
-    handle_vertices.push_back(handle.vertex);
+  for (const Handle& handle : problem.handles)
     hard_vertices_.push_back(handle.kind == HandleKind::soft ? -1 : handle.vertex);
-  }
-  const Unknowns moving = unknowns_of(problem.mesh, handle_vertices);
-  node_of_vertex_.assign(moving.node_of_vertex.size(), -1);
-  for (const int v : moving.vertex_of_node) {
+  node_of_vertex_.assign(static_cast<std::size_t>(problem.mesh.vertex_count()), -1);
+  for (int v = 0; v < problem.mesh.vertex_count(); ++v) {
     if (std::ranges::find(hard_vertices_, v) != hard_vertices_.end()) continue;
     node_of_vertex_[static_cast<std::size_t>(v)] = static_cast<int>(vertex_of_node_.size());
     vertex_of_node_.push_back(v);
   }
   for (const auto& t : triangles_.colwise()) {
-    if (moving.node_of_vertex[static_cast<std::size_t>(t[0])] < 0) continue;
     FreeTriangle triangle{t, {}, signed_area(rest_, t), {}};
     for (int j = 0; j < 3; ++j)
       triangle.nodes[static_cast<std::size_t>(j)] = node_of_vertex_[static_cast<std::size_t>(t[j])];
@@ -229,11 +224,11 @@ double ConformalSystem::energy(const Points& u) const {
 }
 
 Iteration ConformalSystem::record(const MeshPair& mesh, const Points& previous,
-                                  const Positions& positions) const {
+                                  const Constraints& constraints) const {
   const Quality quality = quality_of(mesh.triangles(), mesh.rest(), mesh.deformed());
   Iteration iteration;
   iteration.distortion_energy = iteration.energy = energy(mesh.deformed());
-  iteration.handle_error_squared = handle_error_squared(positions, mesh.deformed());
+  iteration.handle_error_squared = handle_error_squared(constraints, mesh.deformed());
   iteration.step_infinity_norm = (mesh.deformed() - previous).cwiseAbs().maxCoeff();
   iteration.min_area_ratio = quality.min_area_ratio;
   iteration.max_conformal_distortion = quality.max_conformal_distortion;

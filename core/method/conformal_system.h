@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "core/energy/positions.h"
+#include "core/energy/constraints.h"
 #include "core/iteration.h"
 #include "core/mesh/injective.h"
 #include "core/method/conformal_parts.h"
 #include "core/method/method.h"
-#include "core/solve/cone_program.h"
+#include "core/cone/cone_program.h"
 
 namespace foldless {
 
@@ -27,7 +27,7 @@ struct TriangleTerm {
 };
 
 /// What [Lip12] and [AL13] have in common: cone programs over the vertices of a mesh that have no
-/// hard handle, in components that have a handle. Hard handles are eliminated, soft ones are
+/// hard handle. Hard handles are eliminated, soft ones are
 /// springs of stiffness α w. Triangles without such a vertex are not in the programs.
 class ConformalSystem {
  public:
@@ -62,7 +62,7 @@ class ConformalSystem {
   double energy(const Points& u) const;
 
   /// The record of a move from one map to another.
-  Iteration record(const MeshPair& mesh, const Points& previous, const Positions& positions) const;
+  Iteration record(const MeshPair& mesh, const Points& previous, const Constraints& constraints) const;
 
   ConeSolver solver;
 
@@ -88,7 +88,7 @@ class ConformalSystem {
   const Density* density_;
   Points rest_;
   Triangles triangles_;
-  std::vector<int> node_of_vertex_;  ///< −1 where held or left alone
+  std::vector<int> node_of_vertex_;  ///< −1 where held
   std::vector<int> vertex_of_node_;
   std::vector<int> hard_vertices_;  ///< −1 for the soft among the handles
   std::vector<FreeTriangle> free_;

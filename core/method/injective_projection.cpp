@@ -19,81 +19,69 @@ constexpr int kMostPrograms = 100;
 InjectiveProjection::InjectiveProjection(Problem problem)
     : mesh_(problem.mesh),
       parameters_(problem.parameters),
-      positions_(positions_of(problem.handles)),
+      constraints_(constraints_of(problem.handles)),
       system_(problem, "injective-projection"),
       checker_(mesh_.triangles(), mesh_.vertex_count()) {
-  begin();
-}
-
-std::unique_ptr<Method> InjectiveProjection::clone() const {
-  return std::make_unique<InjectiveProjection>(*this);
+  begin(solve());
 }
 
 void InjectiveProjection::set_targets(const Points& targets) {
-  positions_.targets = targets;
-  begin();
+  constraints_.targets = targets;
+  begin(solve());
 }
 
-void InjectiveProjection::begin() {
-  outcome_.reset();
+Steps<Outcome> InjectiveProjection::solve() {
   verdict_.clear();
-  has_minimum_ = false;
-  programs_ = 0;
-  const Points at_targets = system_.with_handles(mesh_.deformed(), positions_.targets);
+  const Points at_targets = system_.with_handles(mesh_.deformed(), constraints_.targets);
   if (!system_.are_held_triangles_bounded(at_targets, parameters_.distortion_bound))
-    return end(Outcome::infeasible,
-               "infeasible: a triangle of three handles is folded, or distorted beyond the bound");
-  if (system_.triangle_count() > 0) return;
-  mesh_.set_deformed(at_targets);
-  end(Outcome::step, words_on(checker_.check(at_targets)));
+    co_return end(
+        Outcome::infeasible,
+        "infeasible: a triangle of three handles is folded, or distorted beyond the bound");
+  if (system_.triangle_count() == 0) {
+    mesh_.set_deformed(at_targets);
+    co_return end(Outcome::step, words_on(checker_.check(at_targets)));
+  }
+  const auto minimize = [this](const std::stop_token& token) {
+    return unconstrained_minimum(token);
+  };
+  const auto program = [this](const std::stop_token& token) { return project(token); };
+  for (int programs = 0;; ++programs) {
+    const Points before = mesh_.deformed();
+    Trial trial;
+    if (programs == 0)
+      trial = co_await vertex_update(minimize);
+    else
+      trial = co_await vertex_update(program);
+    std::optional<Outcome> ended;
+    if (trial.status == ConeStatus::infeasible) {
+      ended = end(Outcome::infeasible, "infeasible for these half-planes (certificate)");
+    } else if (trial.status == ConeStatus::not_converged) {
+      ended = end(Outcome::not_converged, "a quadratic program did not converge");
+    } else {
+      mesh_.set_deformed(std::move(trial.u));
+      ++updates_;
+      const double step_squared = (mesh_.deformed() - before).squaredNorm();
+      ended = judge(programs == 0 ? 1 : step_squared, programs);
+    }
+    co_yield record(before, programs);
+    if (ended) co_return *ended;
+  }
 }
 
-std::optional<Iteration> InjectiveProjection::step(std::stop_token token) {
-  if (outcome_ || token.stop_requested()) return std::nullopt;
-  const double start = thread_seconds();
-  const Points before = mesh_.deformed();
-  const bool was_done = advance(token);
-  seconds_ += thread_seconds() - start;
-  if (!was_done) return std::nullopt;
-  Iteration iteration = system_.record(mesh_, before, positions_);
-  iteration.inner = programs_;
-  iteration.updates = updates_;
-  iteration.step_length = mesh_.deformed() == before ? 0 : 1;
-  iteration.seconds = seconds_;
-  return iteration;
+InjectiveProjection::Trial InjectiveProjection::unconstrained_minimum(
+    const std::stop_token& token) {
+  const Points held = system_.with_handles(mesh_.deformed(), constraints_.targets);
+  auto minimum = system_.unconstrained_minimum(held, constraints_.targets, token);
+  if (!minimum) return {};
+  return {ConeStatus::solved, *std::move(minimum)};
 }
 
-/// False when cancelled.
-bool InjectiveProjection::advance(const std::stop_token& token) {
-  if (has_minimum_) return project(token);
-  const Points held = system_.with_handles(mesh_.deformed(), positions_.targets);
-  auto minimum = system_.unconstrained_minimum(held, positions_.targets, token);
-  if (!minimum) return false;
-  mesh_.set_deformed(*std::move(minimum));
-  ++updates_;
-  has_minimum_ = true;
-  judge(1);
-  return true;
-}
-
-bool InjectiveProjection::project(const std::stop_token& token) {
+InjectiveProjection::Trial InjectiveProjection::project(const std::stop_token& token) {
   const Points& u = mesh_.deformed();
   const ConeSolution solution = system_.solver.solve(
-      system_.program(u, positions_.targets, half_planes()), kProjectionTolerance, token);
-  if (solution.status == ConeStatus::cancelled) return false;
-  ++programs_;
-  if (solution.status == ConeStatus::infeasible) {
-    end(Outcome::infeasible, "infeasible for these half-planes (certificate)");
-  } else if (solution.status == ConeStatus::not_converged) {
-    end(Outcome::not_converged, "a quadratic program did not converge");
-  } else {
-    Points next = system_.moved(u, solution.x);
-    const double step_squared = (next - u).squaredNorm();
-    mesh_.set_deformed(std::move(next));
-    ++updates_;
-    judge(step_squared);
-  }
-  return true;
+      system_.program(u, constraints_.targets, half_planes()), kProjectionTolerance, token);
+  if (solution.status != ConeStatus::solved) return {solution.status, {}};
+  return {solution.status, system_.moved(u, solution.x)};
 }
 
 // ‖J‖² = 2(|f_z|² + |f_z̄|²).
@@ -109,22 +97,30 @@ std::vector<TriangleTerm> InjectiveProjection::half_planes() const {
   return terms;
 }
 
-void InjectiveProjection::judge(double step_squared) {
+std::optional<Outcome> InjectiveProjection::judge(double step_squared, int programs) {
   const InjectivityReport report = checker_.check(mesh_.deformed());
   const double K = parameters_.distortion_bound * (1 + kBoundSlack);
   const std::string words = words_on(report);
   const int most = std::min(kMostPrograms, parameters_.inner_iterations);
   if (report.inverted + report.degenerate == 0 && system_.is_bounded(mesh_.deformed(), K))
-    end(Outcome::step, words);
-  else if (step_squared < kStagnation)
-    end(Outcome::not_converged, "it no longer moves" + (words.empty() ? "" : ": " + words));
-  else if (programs_ >= most)
-    end(Outcome::iteration_limit, words);
+    return end(Outcome::step, words);
+  if (step_squared < kStagnation)
+    return end(Outcome::not_converged, "it no longer moves" + (words.empty() ? "" : ": " + words));
+  if (programs >= most) return end(Outcome::iteration_limit, words);
+  return std::nullopt;
 }
 
-void InjectiveProjection::end(Outcome outcome, std::string verdict) {
-  outcome_ = outcome;
+Iteration InjectiveProjection::record(const Points& before, int programs) const {
+  Iteration iteration = system_.record(mesh_, before, constraints_);
+  iteration.inner = programs;
+  iteration.updates = updates_;
+  iteration.step_length = mesh_.deformed() == before ? 0 : 1;
+  return iteration;
+}
+
+Outcome InjectiveProjection::end(Outcome outcome, std::string verdict) {
   verdict_ = std::move(verdict);
+  return outcome;
 }
 
 }  // namespace foldless

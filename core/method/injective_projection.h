@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/method/conformal_system.h"
+#include "core/method/stepped_method.h"
 
 namespace foldless {
 
@@ -16,40 +17,40 @@ namespace foldless {
 ///
 /// Its maps are folded until it has converged, if it does, and then may wind twice round interior
 /// vertices. The problem's rest mesh has a bounding-box diagonal of about 1.
-class InjectiveProjection final : public Method {
+class InjectiveProjection final : public SteppedMethod {
  public:
   /// Throws Error when the energy is none of dirichlet, lscm and arap, or cannot hold a part of
   /// the mesh.
   explicit InjectiveProjection(Problem problem);
 
-  std::unique_ptr<Method> clone() const override;
-  std::optional<Iteration> step(std::stop_token token) override;
-  std::optional<Outcome> outcome() const override { return outcome_; }
   std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return mesh_; }
   void set_targets(const Points& targets) override;
   StageTimes times() const override { return system_.solver.times(); }
 
  private:
-  void begin();
-  bool advance(const std::stop_token& token);
-  bool project(const std::stop_token& token);
+  /// A map that is asked of a program.
+  struct Trial {
+    ConeStatus status = ConeStatus::cancelled;
+    Points u;
+    friend bool is_cancelled(const Trial& trial) { return trial.status == ConeStatus::cancelled; }
+  };
+
+  Steps<Outcome> solve();
+  Trial unconstrained_minimum(const std::stop_token& token);
+  Trial project(const std::stop_token& token);
   std::vector<TriangleTerm> half_planes() const;
-  void judge(double step_squared);
-  void end(Outcome outcome, std::string verdict);
+  std::optional<Outcome> judge(double step_squared, int programs);
+  Iteration record(const Points& before, int programs) const;
+  Outcome end(Outcome outcome, std::string verdict);
 
   MeshPair mesh_;
   Parameters parameters_;
-  Positions positions_;
+  Constraints constraints_;
   ConformalSystem system_;
   InjectivityChecker checker_;
-
-  std::optional<Outcome> outcome_;
   std::string verdict_;
-  bool has_minimum_ = false;  ///< u₀ was found
-  int programs_ = 0;          ///< since u₀
   int updates_ = 0;
-  double seconds_ = 0;
 };
 
 }  // namespace foldless

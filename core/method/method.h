@@ -12,7 +12,7 @@
 #include "core/mesh/mesh_pair.h"
 #include "core/scene/parameters.h"
 #include "core/snapshot.h"
-#include "core/solve/stage_times.h"
+#include "core/stage_times.h"
 
 namespace foldless {
 
@@ -23,7 +23,8 @@ struct OriginalMesh {
 };
 
 /// What a run starts from: a valid mesh pair, the handles and the energy. Handles name vertices
-/// of `mesh`, no vertex twice.
+/// of `mesh`, no vertex twice. A method, unlike Run, wants a mesh that moves as a whole: no vertex
+/// without a triangle, no component without a handle, and a rest diagonal of about 1.
 struct Problem {
   MeshPair mesh;
   const Density* energy = nullptr;  ///< a row of densities()
@@ -32,8 +33,8 @@ struct Problem {
   std::optional<OriginalMesh> original = std::nullopt;  ///< absent: `mesh` itself
 };
 
-/// A run of one method on one problem, as a value that can be stepped, paused for as long as one
-/// likes, copied and resumed. Units and frame are the problem's.
+/// A run of one method on one problem that can be stepped, and paused for as long as one likes.
+/// Units and frame are the problem's.
 ///
 /// Cancellation: step() notices the stop token between factorizations, returns nothing, and
 /// leaves the last valid mesh; calling step() again goes on from there.
@@ -41,8 +42,10 @@ struct Problem {
 /// method may fold.
 class Method {
  public:
+  Method() = default;
   virtual ~Method() = default;
-  virtual std::unique_ptr<Method> clone() const = 0;
+  Method(const Method&) = delete;
+  Method& operator=(const Method&) = delete;
 
   /// One vertex update. Nothing when the run has ended (see outcome()) or the token was set.
   virtual std::optional<Iteration> step(std::stop_token token) = 0;

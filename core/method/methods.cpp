@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/method/bounded_conformal.h"
-#include "core/method/foldless.h"
+#include "core/method/foldless/foldless.h"
 #include "core/method/injective_projection.h"
 #include "core/method/lim.h"
 #include "core/method/remeshing_assisted.h"

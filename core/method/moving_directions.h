@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "core/energy/positions.h"
+#include "core/energy/constraints.h"
 #include "core/iteration.h"
 #include "core/remesh/split_edges.h"
-#include "core/solve/newton_system.h"
 
 namespace foldless {
 
 /// How the inner loop ended: what eq. 12 asks.
 struct ConvergenceInformation {
-  Outcome outcome;          ///< CI of Table 1
-  bool is_last_step_small;  ///< |s|_∞ < ε_f
-  Points handles_before;    ///< the handles before the last update, 2 × #handles; may be empty
+  Outcome outcome;           ///< CI of Table 1
+  bool is_last_step_small;   ///< |s|_∞ < ε_f
+  Points handles_before;     ///< the handles before the last update, 2 × #handles; may be empty
+  Eigen::VectorXd gradient;  ///< ∇E where the loop ended, 2 #V
 };
 
-/// F_v of eq. 12 for every handle farther than `tolerance` from its target: −∂E_c/∂v after gradient
-/// convergence; else −∇E(v) when the last step was small, and that step itself when it was not.
-/// Handles are enough: the vertices round them follow. `system` holds ∇E.
-std::vector<MovingDirection> moving_directions(const NewtonSystem& system,
-                                               const Positions& positions, const Points& u,
+/// F_v of eq. 12 for every hard handle farther than `tolerance` from its target: −∂E_c/∂v after
+/// gradient convergence; else −∇E(v) when the last step was small, and that step itself when it was
+/// not. Handles are enough: the vertices round them follow. `u` is 2 × #V.
+std::vector<MovingDirection> moving_directions(const Constraints& constraints, const Points& u,
                                                const ConvergenceInformation& information,
                                                double tolerance);
 

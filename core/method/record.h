@@ -7,11 +7,10 @@
 
 namespace foldless {
 
-/// The record of one update that a NewtonSystem made: energies, gradient, distortion and counters
-/// at `mesh`. The place in the loops, the phase, flips, splits and seconds are the method's to
-/// add. The penalty is that of `positions`, even where the system held the handles. Precondition: E
-/// and ∇E of `system` are those at `mesh`.
+/// The record of one update on a mesh: energies, gradient, distortion and what was spent. The place
+/// in the loops, the phase and seconds are the method's to add. The penalty is that of the targets even
+/// where handles are held. Precondition: `system` has E and ∇E of `energy` as they are at the mesh.
 Iteration record_of(const VertexUpdate& update, const NewtonSystem& system, const MeshPair& mesh,
-                    const Positions& positions);
+                    const Energy& energy);
 
 }  // namespace foldless

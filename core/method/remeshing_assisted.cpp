@@ -14,12 +14,6 @@ namespace {
 
 /// A round that leaves more of ‖P‖² than this has stopped gaining.
 constexpr double kGainOfARound = 0.9;
-/// The inner loop of Algorithm 1 with splits ends early where ‖P‖² fell by less than this factor in
-/// so many updates.
-constexpr double kGainOfAWatch = 0.9;
-constexpr int kUpdatesOfAWatch = 50;
-/// Rounds of splits that may leave ‖P‖² as it was before they are undone.
-constexpr int kMostRoundsWithoutGain = 1;
 /// No split makes an edge shorter than this. [D]
 constexpr double kShortestEdge = 1e-5;
 
@@ -29,199 +23,215 @@ double mean_rest_area(const MeshPair& mesh) {
   return sum / mesh.face_count();
 }
 
+/// A watch of some updates: without it a blocked inner loop creeps on for N_in repeats before the
+/// edges that block it are split.
+class Watch {
+ public:
+  bool has_stalled(int inner, double error) {
+    constexpr double kGain = 0.9;
+    constexpr int kUpdates = 50;
+    if (inner % kUpdates != 0) return false;
+    const bool stalled = error > kGain * watched_error_;
+    watched_error_ = error;
+    return stalled;
+  }
+
+ private:
+  double watched_error_ = std::numeric_limits<double>::infinity();  ///< ‖P‖² when it began
+};
+
+/// The best end of a round of splits. Unchecked, a blocked scene grows slivers without end: rounds
+/// that gained nothing on the targets are undone.
+class BestRound {
+ public:
+  /// False when that was one round too many that gained nothing.
+  bool is_gaining(const MeshPair& mesh, double error) {
+    constexpr int kMostRoundsWithoutGain = 1;
+    const bool gained = !mesh_ || error < kGainOfARound * error_;
+    rounds_without_gain_ = gained ? 0 : rounds_without_gain_ + 1;
+    if (!mesh_ || error < error_) {
+      mesh_ = mesh;
+      error_ = error;
+    }
+    return rounds_without_gain_ <= kMostRoundsWithoutGain;
+  }
+  const MeshPair& mesh() const { return *mesh_; }
+  double error() const { return error_; }
+
+ private:
+  std::optional<MeshPair> mesh_;
+  double error_ = 0;  ///< ‖P‖²
+  int rounds_without_gain_ = 0;
+};
+
 }  // namespace
 
 EnergySettings energy_settings(const Problem& problem) {
   const Parameters& p = problem.parameters;
-  EnergySettings settings{problem.energy, p.alpha, p.beta.value_or(problem.energy->default_beta),
-                          p.delta, true};
-  if (problem.energy->paper_sums_unweighted) {
-    settings.area_weighted = p.area_weighted;
-    if (p.area_weighted) settings.beta *= mean_rest_area(problem.mesh);
-  }
+  const double diagonal = bounding_box_diagonal(problem.mesh.rest());
+  EnergySettings settings{.density = problem.energy,
+                          .alpha = p.alpha,
+                          .beta = p.beta.value_or(problem.energy->default_beta),
+                          .delta = p.delta};
+  settings.unit_area = diagonal * diagonal;
+  settings.area_weighted = !problem.energy->paper_sums_unweighted || p.area_weighted;
+  const bool was_unweighted = problem.energy->paper_sums_unweighted && p.area_weighted;
+  settings.beta *= was_unweighted ? mean_rest_area(problem.mesh) : settings.unit_area;
   return settings;
 }
 
-RemeshingAssisted::RemeshingAssisted(Problem problem, Remeshing remeshing)
-    : mesh_(std::move(problem.mesh)),
-      parameters_(problem.parameters),
-      remeshing_(remeshing),
-      flip_settings_{},
-      diagonal_(bounding_box_diagonal(mesh_.rest())),
-      positions_(positions_of(problem.handles)),
-      system_(energy_settings({mesh_, problem.energy, {}, parameters_}), mesh_, positions_) {
-  flip_settings_ = {system_.objective().settings(), parameters_.eta, parameters_.condition_test};
-  if (system_.objective().unknowns().count() == 0) outcome_ = Outcome::gradient;
-  begin_round();
+double gradient_tolerance(const Parameters& parameters, double diagonal) {
+  return parameters.gradient_tolerance * diagonal * diagonal;
 }
 
-std::unique_ptr<Method> RemeshingAssisted::clone() const {
-  return std::make_unique<RemeshingAssisted>(*this);
+RemeshingAssisted::RemeshingAssisted(Problem problem, Remeshing remeshing)
+    : mesh_(problem.mesh),
+      parameters_(problem.parameters),
+      remeshing_(remeshing),
+      diagonal_(bounding_box_diagonal(mesh_.rest())),
+      energy_{energy_settings(problem), constraints_of(problem.handles)},
+      system_(mesh_, energy_.constraints, effort()) {
+  begin(algorithm_1());
 }
 
 void RemeshingAssisted::set_targets(const Points& targets) {
-  positions_.targets = targets;
-  phase_ = Phase::update;
-  outer_ = 0;
-  best_.reset();
-  rounds_without_gain_ = 0;
-  begin_round();
-  if (system_.objective().unknowns().count() > 0) outcome_.reset();
+  energy_.constraints.targets = targets;
+  begin(algorithm_1());
 }
 
-std::optional<Iteration> RemeshingAssisted::step(std::stop_token token) {
-  if (outcome_ || token.stop_requested()) return std::nullopt;
-  const double start = thread_seconds();
-  std::optional<Iteration> iteration = advance(token);
-  seconds_ += thread_seconds() - start;
-  if (iteration) iteration->seconds = seconds_;
-  return iteration;
-}
-
-// Lines 2–9 of Algorithm 1, taken apart so that one call makes one vertex update. It is entered
-// after FlipEdges: RelaxVertices goes on until ∇²E is positive definite, then UpdateVertices
-// follows.
-std::optional<Iteration> RemeshingAssisted::advance(std::stop_token token) {
-  if (phase_ == Phase::relax) {
-    const auto relaxed = relax_vertices(system_, mesh_, positions_, token);
-    if (relaxed && relaxed->cancelled) return std::nullopt;
-    if (relaxed) return after_relaxing(*relaxed);
-    phase_ = Phase::update;
+// Without splits another round only begins where the one before ended: it can help when the last
+// step was too small, or after N_in repeats that were still gaining on the targets.
+Steps<Outcome> RemeshingAssisted::algorithm_1() {
+  BestRound best;
+  for (int outer = 0;; ++outer) {
+    const double error_before = error();
+    const RoundEnd round = co_await inner_loop(outer);
+    if (is_satisfied()) co_return round.outcome;
+    if (remeshing_.splits && !best.is_gaining(mesh_, error())) {
+      if (best.error() < error()) go_back_to(best.mesh());
+      co_return round.outcome;
+    }
+    if (outer + 1 >= parameters_.outer_iterations) co_return round.outcome;
+    bool goes_on = false;
+    if (remeshing_.splits)
+      goes_on = split(round) > 0;
+    else if (round.outcome == Outcome::step)
+      goes_on = round.has_changed_mesh;
+    else if (round.outcome == Outcome::iteration_limit)
+      goes_on = error() < kGainOfARound * error_before;
+    if (!goes_on) co_return round.outcome;
   }
-  if (remeshing_.splits)
-    handles_before_ = held_where_they_are(positions_, mesh_.deformed()).targets;
-  const VertexUpdate update = update_vertices(system_, mesh_, positions_, token);
-  if (update.cancelled) return std::nullopt;
-  return after_updating(update);
 }
 
-Iteration RemeshingAssisted::after_relaxing(const VertexUpdate& update) {
-  if (is_small(update))
-    phase_ = Phase::update;  // eq. 8: no vertex moves any more
-  else
-    round_changed_mesh_ = true;
-  system_.assemble_gradient(mesh_.deformed(), positions_);
-  return record(update, Phase::relax);
-}
-
-Iteration RemeshingAssisted::after_updating(const VertexUpdate& update) {
-  ++inner_;
-  is_last_step_small_ = is_small(update);
-  if (!is_last_step_small_) round_changed_mesh_ = true;
-  system_.assemble_gradient(mesh_.deformed(), positions_);
-  std::optional<Outcome> ended = convergence(update);
-  if (!ended && flip() > 0) {
-    round_changed_mesh_ = true;
-    system_.assemble_gradient(mesh_.deformed(), positions_);
+// Lines 3 to 9.
+Steps<RemeshingAssisted::RoundEnd> RemeshingAssisted::inner_loop(int outer) {
+  RoundEnd round;
+  Watch watch;
+  const auto next = [this](std::stop_token token) {
+    return update_vertices(system_, mesh_, energy_, std::move(token));
+  };
+  for (int inner = 1;; ++inner) {
+    round.handles_before = handle_positions(energy_.constraints, mesh_.deformed());
+    const VertexUpdate update = co_await vertex_update(next);
+    round.is_last_step_small = is_small(update);
+    if (!round.is_last_step_small) round.has_changed_mesh = true;
+    system_.assemble_gradient(energy_, mesh_.deformed());
+    std::optional<Outcome> ended = convergence(update);
+    if (!ended && flip() > 0) {
+      round.has_changed_mesh = true;
+      system_.assemble_gradient(energy_, mesh_.deformed());
+    }
+    const bool is_limit_reached = inner >= parameters_.inner_iterations ||
+                                  (remeshing_.splits && watch.has_stalled(inner, error()));
+    if (!ended && is_limit_reached) ended = Outcome::iteration_limit;
+    Iteration iteration = record(update, Phase::update);
+    iteration.outer = outer;
+    iteration.inner = inner;
+    co_yield iteration;
+    if (ended) {
+      round.outcome = *ended;
+      co_return round;
+    }
+    const bool has_relaxed = co_await relax(outer, inner);
+    if (has_relaxed) round.has_changed_mesh = true;
   }
-  phase_ = Phase::relax;
-  if (!ended && (inner_ >= parameters_.inner_iterations || (remeshing_.splits && has_stalled())))
-    ended = Outcome::iteration_limit;
-  if (ended && remeshing_.splits && !is_satisfied()) go_back_to_best();
-  const Iteration iteration = record(update, Phase::update);
-  if (ended) end_inner_loop(*ended);
-  return iteration;
 }
 
-// A watch of some updates: without it a blocked inner loop creeps on for N_in repeats before the
-// edges that block it are split.
-bool RemeshingAssisted::has_stalled() {
-  if (inner_ % kUpdatesOfAWatch != 0) return false;
-  const double error = handle_error_squared(positions_, mesh_.deformed());
-  const bool stalled = error > kGainOfAWatch * watched_error_;
-  watched_error_ = error;
-  return stalled;
+// Until ∇²E is positive definite, whose factor serves the next update, or no vertex moves any more.
+Steps<bool> RemeshingAssisted::relax(int outer, int inner) {
+  const auto next = [this](std::stop_token token) {
+    return relax_vertices(system_, mesh_, energy_, std::move(token));
+  };
+  for (bool has_moved = false;; has_moved = true) {
+    const std::optional<VertexUpdate> relaxed = co_await vertex_update(next);
+    if (!relaxed) co_return has_moved;
+    system_.assemble_gradient(energy_, mesh_.deformed());
+    Iteration iteration = record(*relaxed, Phase::relax);
+    iteration.outer = outer;
+    iteration.inner = inner;
+    co_yield iteration;
+    if (is_small(*relaxed)) co_return has_moved;
+  }
 }
 
 std::optional<Outcome> RemeshingAssisted::convergence(const VertexUpdate& update) const {
-  if (system_.gradient().squaredNorm() < parameters_.gradient_tolerance) return Outcome::gradient;
+  if (is_gradient_small()) return Outcome::gradient;
   if (is_small(update)) return Outcome::step;
   return std::nullopt;
 }
 
-// Lines 10–13.
-void RemeshingAssisted::end_inner_loop(Outcome outcome) {
-  phase_ = Phase::update;
-  if (is_satisfied() || outer_ + 1 >= parameters_.outer_iterations ||
-      !prepare_next_round(outcome)) {
-    outcome_ = outcome;
-    return;
-  }
-  ++outer_;
-  begin_round();
+// Eq. 7.
+bool RemeshingAssisted::is_gradient_small() const {
+  return system_.gradient().squaredNorm() < gradient_tolerance(parameters_, diagonal_);
 }
 
-// Without splits another round only begins where this one ended: it can help when the last step was
-// too small, or after N_in repeats that were still gaining on the targets.
-bool RemeshingAssisted::prepare_next_round(Outcome outcome) {
-  const double error = handle_error_squared(positions_, mesh_.deformed());
-  const bool is_gaining = error < kGainOfARound * round_start_error_;
-  if (remeshing_.splits)
-    return rounds_without_gain_ <= kMostRoundsWithoutGain && split(outcome) > 0;
-  return (outcome == Outcome::step && round_changed_mesh_) ||
-         (outcome == Outcome::iteration_limit && is_gaining);
-}
-
-int RemeshingAssisted::split(Outcome outcome) {
-  const double off_target = std::sqrt(kSatisfied / positions_.count()) * diagonal_;
-  const auto directions =
-      moving_directions(system_, positions_, mesh_.deformed(),
-                        {outcome, is_last_step_small_, handles_before_}, off_target);
-  const SplitSettings settings{.shortest_edge = kShortestEdge * diagonal_,
-                               .delta = parameters_.delta};
-  const int splits = split_edges(mesh_, directions, settings);
-  if (splits > 0) system_.rebuild(mesh_, positions_, splits);
-  splits_ += splits;
-  return splits;
-}
-
-// Unchecked, a blocked scene grows slivers without end: a round that gained nothing on the targets
-// is undone.
-void RemeshingAssisted::go_back_to_best() {
-  const double error = handle_error_squared(positions_, mesh_.deformed());
-  const bool has_gained = !best_ || error < kGainOfARound * best_->error;
-  rounds_without_gain_ = has_gained ? 0 : rounds_without_gain_ + 1;
-  if (!best_ || error < best_->error) best_ = Best{mesh_, error};
-  if (rounds_without_gain_ <= kMostRoundsWithoutGain || best_->error >= error) return;
-  mesh_ = best_->mesh;
-  system_.rebuild(mesh_, positions_, mesh_.edge_count());
-  system_.assemble_gradient(mesh_.deformed(), positions_);
-}
-
-void RemeshingAssisted::begin_round() {
-  inner_ = 0;
-  watched_error_ = std::numeric_limits<double>::infinity();
-  round_changed_mesh_ = false;
-  round_start_error_ = handle_error_squared(positions_, mesh_.deformed());
-}
-
+// Eq. 8.
 bool RemeshingAssisted::is_small(const VertexUpdate& update) const {
   return update.step_infinity_norm < parameters_.step_tolerance * diagonal_;
 }
 
 bool RemeshingAssisted::is_satisfied() const {
-  return handle_error_squared(positions_, mesh_.deformed()) <= kSatisfied * diagonal_ * diagonal_;
+  return error() <= kSatisfied * diagonal_ * diagonal_;
+}
+
+double RemeshingAssisted::error() const {
+  return handle_error_squared(energy_.constraints, mesh_.deformed());
 }
 
 int RemeshingAssisted::flip() {
   if (!remeshing_.flips) return 0;
   int flips = 0;
   {
-    StageTimer timer(system_.times.flip);
-    flips = flip_edges(mesh_, system_.objective().unknowns(), flip_settings_);
+    StageTimer timer(effort().times.flip);
+    flips = flip_edges(mesh_, {energy_.settings, parameters_.eta, parameters_.condition_test});
   }
-  if (flips > 0) system_.take_flips(mesh_, flips);
-  flips_ += flips;
+  if (flips > 0) system_.follow_flips(mesh_, flips);
+  effort().flips += flips;
   return flips;
 }
 
-Iteration RemeshingAssisted::record(const VertexUpdate& update, Phase phase) {
-  Iteration iteration = record_of(update, system_, mesh_, positions_);
-  iteration.outer = outer_;
-  iteration.inner = inner_;
+int RemeshingAssisted::split(const RoundEnd& round) {
+  const double off_target = std::sqrt(kSatisfied / energy_.constraints.count()) * diagonal_;
+  const auto directions = moving_directions(
+      energy_.constraints, mesh_.deformed(),
+      {round.outcome, round.is_last_step_small, round.handles_before, system_.gradient()},
+      off_target);
+  const int splits = split_edges(
+      mesh_, directions,
+      {.shortest_edge = kShortestEdge * diagonal_, .delta = parameters_.delta});
+  if (splits > 0) system_.rebuild(mesh_, energy_.constraints, splits);
+  effort().splits += splits;
+  return splits;
+}
+
+void RemeshingAssisted::go_back_to(const MeshPair& mesh) {
+  mesh_ = mesh;
+  system_.rebuild(mesh_, energy_.constraints, mesh_.edge_count());
+}
+
+Iteration RemeshingAssisted::record(const VertexUpdate& update, Phase phase) const {
+  Iteration iteration = record_of(update, system_, mesh_, energy_);
   iteration.phase = phase;
-  iteration.flips = flips_;
-  iteration.splits = splits_;
   return iteration;
 }
 

@@ -18,7 +18,7 @@ std::vector<double> triangle_energies(const MeshPair& mesh, const EnergySettings
   std::vector<double> energies;
   energies.reserve(static_cast<std::size_t>(mesh.face_count()));
   for (const auto& t : mesh.triangles().colwise())
-    energies.push_back(element_energy(settings, rest_element(settings, corners_of(mesh.rest(), t)),
+    energies.push_back(element_energy(settings, reference_element(settings, corners_of(mesh.rest(), t)),
                                       corners_of(mesh.deformed(), t))
                            .total());
   return energies;
@@ -42,14 +42,13 @@ double gain_of_flip(const MeshPair& mesh, const Diamond& diamond, double energy,
 }
 
 /// The edges that are worth a flip; none where all of them gain too little.
-EdgeHeap gains(const MeshPair& mesh, const Unknowns& unknowns, const FlipSettings& settings) {
+EdgeHeap gains(const MeshPair& mesh, const FlipSettings& settings) {
   EdgeHeap heap(mesh.edge_count());
   double total = 0;
   const std::vector<double> energies = triangle_energies(mesh, settings.energy);
   for (int e = 0; e < mesh.edge_count(); ++e) {
     if (mesh.is_boundary_edge(e)) continue;
     const Diamond diamond = mesh.diamond(e);
-    if (unknowns.node_of_vertex[static_cast<std::size_t>(diamond.a)] < 0) continue;
     const double energy = energies[static_cast<std::size_t>(diamond.left)] +
                           energies[static_cast<std::size_t>(diamond.right)];
     // A gain is at most the energy itself: most of an undeformed mesh ends here.
@@ -72,8 +71,8 @@ bool raises_condition(const MeshPair& mesh, const Diamond& diamond,
 
 }  // namespace
 
-int flip_edges(MeshPair& mesh, const Unknowns& unknowns, const FlipSettings& settings) {
-  EdgeHeap heap = gains(mesh, unknowns, settings);
+int flip_edges(MeshPair& mesh, const FlipSettings& settings) {
+  EdgeHeap heap = gains(mesh, settings);
   int flips = 0;
   while (const std::optional<int> e = heap.pop()) {
     // The diamond is as it was when pushed, but an edge c–d may have been made elsewhere since.

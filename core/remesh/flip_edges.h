@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/energy/element.h"
-#include "core/energy/unknowns.h"
 #include "core/mesh/mesh_pair.h"
 
 namespace foldless {
@@ -17,9 +16,8 @@ struct FlipSettings {
 };
 
 /// FlipEdges (4.3): flips edges in descending order of Δ_ab = E_ab − Ē_ab, distortion and barrier
-/// of the diamond, as long as Δ_ab > η E_ab. Positions do not change; E never rises; both meshes
-/// stay locally injective. Edges of components that do not move are left alone. Returns the number
-/// of flips.
-int flip_edges(MeshPair& mesh, const Unknowns& unknowns, const FlipSettings& settings);
+/// of the diamond, as long as Δ_ab > η E_ab. Constraints do not change; E never rises; both meshes
+/// stay locally injective. Returns the number of flips.
+int flip_edges(MeshPair& mesh, const FlipSettings& settings);
 
 }  // namespace foldless

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "core/energy/positions.h"
+#include "core/energy/constraints.h"
 #include "core/error.h"
 #include "core/method/methods.h"
 #include "core/method/satisfied.h"
@@ -47,34 +47,48 @@ Iteration in_input_units(Iteration iteration, const Normalisation& normalisation
   return iteration;
 }
 
-Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& start)
-    : start_(start),
+Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& starter)
+    : start_method_(starter),
       may_fold_(may_fold(problem.parameters.method)),
       energy_(problem.energy),
       parameters_(problem.parameters),
       handles_(problem.handles),
       original_(original_of(problem)),
       original_edges_(*original_.triangles, original_.vertices),
-      normalisation_(normalisation_for(problem.mesh.rest())),
-      diagonal_(bounding_box_diagonal(problem.mesh.rest())),
-      checker_(problem.mesh.triangles(), problem.mesh.vertex_count()),
-      is_rest_injective_(checker_.is_injective(problem.mesh.rest())) {
-  if (!is_rest_injective_ || !checker_.is_injective(problem.mesh.deformed()))
+      diagonal_(active_diagonal(problem.mesh.triangles(), problem.mesh.rest(), problem.handles)) {
+  const MeshPair& mesh = problem.mesh;
+  const InjectivityChecker checker(mesh.triangles(), mesh.vertex_count());
+  if (!checker.is_injective(mesh.rest()) || !checker.is_injective(mesh.deformed()))
     throw Error("the mesh to start from is folded; reset its pose");
-  Problem unit = normalised(problem);
   common_.generation = generation;
-  common_.revision = unit.mesh.revision();
-  common_.triangles = std::make_shared<const Triangles>(problem.mesh.triangles());
-  common_.rest = std::make_shared<const Points>(problem.mesh.rest());
-  common_.flipped_edges = std::make_shared<const std::vector<Edge>>(
-      original_edges_.flipped_in(problem.mesh.triangles()));
   common_.original_vertices = original_.vertices;
-  publish(problem.mesh.deformed(), std::nullopt);
-  method_ = start_(std::move(unit));
+  Problem whole = problem;
+  whole.original = original_;
+  begin(std::move(whole));
 }
 
-Problem Run::normalised(const Problem& problem) {
-  const MeshPair& mesh = problem.mesh;
+// What is idle was proved with the whole and stays as it is: from here on the part is looked at.
+void Run::begin(Problem whole) {
+  part_ = ActivePart(whole.mesh, whole.handles);
+  rest_before_ = whole.mesh.rest();
+  deformed_before_ = whole.mesh.deformed();
+  Problem part = part_.of(whole);
+  const Points deformed = part.mesh.deformed();
+  checker_ = InjectivityChecker(part.mesh.triangles(), part.mesh.vertex_count());
+  if (part_.is_empty()) {
+    adopt_connectivity(part.mesh);
+    if (!snapshot_) publish(deformed, std::nullopt);
+    return;
+  }
+  normalisation_ = normalisation_for(part.mesh.rest());
+  normalise(part);
+  adopt_connectivity(part.mesh);
+  if (!snapshot_) publish(deformed, std::nullopt);
+  method_ = start_method_(std::move(part));
+}
+
+void Run::normalise(Problem& part) {
+  const MeshPair& mesh = part.mesh;
   const Points rest = normalisation_.to_unit_rest(mesh.rest());
   Points deformed = normalisation_.to_unit(mesh.deformed());
   if (!checker_.is_injective(deformed)) {
@@ -84,41 +98,44 @@ Problem Run::normalised(const Problem& problem) {
   }
   if (!checker_.is_injective(rest) || !checker_.is_injective(deformed))
     throw Error("the mesh is too large or too small for double precision; scale it");
-  std::vector<Handle> handles = handles_;
-  for (Handle& handle : handles) handle.target = normalisation_.to_unit(handle.target);
-  MeshPair unit = mesh;
-  unit.set_positions(rest, std::move(deformed));
-  return {std::move(unit), energy_, std::move(handles), parameters_, original_};
+  for (Handle& handle : part.handles) handle.target = normalisation_.to_unit(handle.target);
+  part.mesh.set_positions(rest, std::move(deformed));
+}
+
+std::optional<Outcome> Run::outcome() const {
+  return method_ ? method_->outcome() : Outcome::gradient;
 }
 
 std::optional<Iteration> Run::step(std::stop_token token) {
-  std::optional<Iteration> iteration = method_->step(token);
+  if (!method_) return std::nullopt;
+  std::optional<Iteration> iteration = method_->step(std::move(token));
   if (!iteration) return std::nullopt;
   iteration = in_input_units(*iteration, normalisation_);
   const MeshPair& mesh = method_->mesh();
-  if (mesh.revision() != common_.revision) take_connectivity(mesh);
+  if (mesh.revision() != common_.revision) adopt_connectivity(mesh);
   if (is_rest_injective_) publish(normalisation_.from_unit(mesh.deformed()), iteration);
   return iteration;
 }
 
-void Run::take_connectivity(const MeshPair& mesh) {
-  Points rest = normalisation_.from_unit_rest(mesh.rest());
-  checker_ = InjectivityChecker(mesh.triangles(), mesh.vertex_count());
+void Run::adopt_connectivity(const MeshPair& part) {
+  const Points rest = normalisation_.from_unit_rest(part.rest());
+  checker_ = InjectivityChecker(part.triangles(), part.vertex_count());
   is_rest_injective_ = checker_.is_injective(rest);
-  common_.revision = mesh.revision();
-  common_.triangles = std::make_shared<const Triangles>(mesh.triangles());
-  common_.rest = std::make_shared<const Points>(std::move(rest));
+  common_.revision = part.revision();
+  common_.triangles = std::make_shared<const Triangles>(
+      part_.whole_triangles(part.triangles(), part.vertex_count()));
+  common_.rest = std::make_shared<const Points>(part_.whole_points(rest, rest_before_));
   common_.flipped_edges =
-      std::make_shared<const std::vector<Edge>>(original_edges_.flipped_in(mesh.triangles()));
+      std::make_shared<const std::vector<Edge>>(original_edges_.flipped_in(*common_.triangles));
 }
 
-void Run::publish(Points deformed, const std::optional<Iteration>& iteration) {
-  const InjectivityReport report = checker_.check(deformed);
-  if (!report.is_injective() && !(may_fold_ && deformed.allFinite())) return;
+void Run::publish(Points part, const std::optional<Iteration>& iteration) {
+  const InjectivityReport report = checker_.check(part);
+  if (!report.is_injective() && !(may_fold_ && part.allFinite())) return;
   auto next = std::make_shared<Snapshot>(common_);
   next->folded_triangles = report.inverted + report.degenerate;
   next->branch_vertices = report.branch_vertices;
-  next->deformed = std::move(deformed);
+  next->deformed = part_.whole_points(part, deformed_before_);
   next->handles = handles_;
   next->iteration = iteration;
   snapshot_ = std::move(next);
@@ -127,7 +144,7 @@ void Run::publish(Points deformed, const std::optional<Iteration>& iteration) {
 
 bool Run::is_satisfied() const {
   if (!snapshot_->is_valid()) return false;
-  const double error = handle_error_squared(positions_of(handles_), snapshot_->deformed);
+  const double error = handle_error_squared(constraints_of(handles_), snapshot_->deformed);
   return error <= kSatisfied * diagonal_ * diagonal_;
 }
 
@@ -135,13 +152,13 @@ void Run::set_targets(const Points& targets) {
   for (std::size_t i = 0; i < handles_.size(); ++i)
     handles_[i].target = targets.col(static_cast<Eigen::Index>(i));
   if (snapshot_->is_valid()) {
-    method_->set_targets(normalisation_.to_unit(targets));
+    if (method_) method_->set_targets(normalisation_.to_unit(targets));
     snapshot_ = with_new_targets(*snapshot_);
     valid_ = snapshot_;
     return;
   }
   snapshot_ = valid_ = with_new_targets(*valid_);
-  method_ = start_(normalised(resumed()));
+  begin(resumed());
 }
 
 std::shared_ptr<const Snapshot> Run::with_new_targets(const Snapshot& snapshot) const {

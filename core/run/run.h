@@ -12,6 +12,7 @@
 #include "core/mesh/injective.h"
 #include "core/method/method.h"
 #include "core/method/normalisation.h"
+#include "core/run/active_part.h"
 #include "core/run/original_edges.h"
 #include "core/snapshot.h"
 
@@ -23,16 +24,17 @@ using MethodStarter = std::function<std::unique_ptr<Method>(Problem problem)>;
 /// Starts the method that the problem's parameters name. Throws Error when there is none.
 std::unique_ptr<Method> start_method(Problem problem);
 
-/// A method on a problem in input units: normalises, steps, and turns what it reaches into
-/// snapshots in input units that were proved locally injective with exact predicates; where the
-/// method may fold, a snapshot says what is wrong with it.
+/// A method on a problem in input units: cuts out the active part, normalises it, steps, and turns
+/// what it reaches into snapshots of the whole mesh in input units that were proved locally injective
+/// with exact predicates; where the method may fold, a snapshot says what is wrong with it. Where
+/// nothing is active the run has ended before it began.
 /// Not thread-safe: one thread at a time may call it.
 class Run {
  public:
   /// Throws Error when the method is unknown, or when the problem's mesh is not locally injective
   /// or of a size that double precision does not hold.
   explicit Run(const Problem& problem, std::uint64_t generation = 0,
-               const MethodStarter& start = start_method);
+               const MethodStarter& starter = start_method);
 
   /// One vertex update, its record in input units; see Method::step for cancellation. With s the
   /// scale of normalisation(): energies, ‖∇E‖² and ‖P‖² are divided by s², lengths by s; μ, ratios
@@ -41,11 +43,11 @@ class Run {
   /// snapshot() stays what it was.
   std::optional<Iteration> step(std::stop_token token);
   /// How the run ended; nothing while it can go on.
-  std::optional<Outcome> outcome() const { return method_->outcome(); }
+  std::optional<Outcome> outcome() const;
   /// One sentence on that end where the outcome does not say it all; may be empty.
-  std::string verdict() const { return method_->verdict(); }
+  std::string verdict() const { return method_ ? method_->verdict() : ""; }
   /// True when snapshot() is valid and has every handle that is not soft at its target:
-  /// ‖P‖² ≤ 1e-10 D².
+  /// ‖P‖² ≤ 1e-10 D², D of the active part.
   bool is_satisfied() const;
 
   /// Moves the targets, in the order of the problem's handles (input units, 2 × #handles). From a
@@ -61,27 +63,30 @@ class Run {
   /// The frame that the method works in.
   const Normalisation& normalisation() const { return normalisation_; }
   /// Where the processor time went so far.
-  StageTimes times() const { return method_->times(); }
+  StageTimes times() const { return method_ ? method_->times() : StageTimes(); }
 
  private:
-  Problem normalised(const Problem& problem);
-  void take_connectivity(const MeshPair& mesh);
-  void publish(Points deformed, const std::optional<Iteration>& iteration);
+  void begin(Problem whole);
+  void normalise(Problem& part);
+  void adopt_connectivity(const MeshPair& part);
+  void publish(Points part, const std::optional<Iteration>& iteration);
   std::shared_ptr<const Snapshot> with_new_targets(const Snapshot& snapshot) const;
 
-  const MethodStarter start_;
+  const MethodStarter start_method_;
   bool may_fold_;
   const Density* energy_;
   Parameters parameters_;
   std::vector<Handle> handles_;
   OriginalMesh original_;
   OriginalEdges original_edges_;
+  ActivePart part_;  ///< of the mesh that the method began with
+  Points rest_before_, deformed_before_;  ///< that mesh, input units
   Normalisation normalisation_;
   double diagonal_;             ///< D, input units
-  InjectivityChecker checker_;  ///< of the triangles of common_
-  bool is_rest_injective_;
+  InjectivityChecker checker_{{}, 0};  ///< of the triangles of the part
+  bool is_rest_injective_ = true;
   Snapshot common_;  ///< what every snapshot of one connectivity has in common
-  std::unique_ptr<Method> method_;
+  std::unique_ptr<Method> method_;  ///< null where nothing can move
   std::shared_ptr<const Snapshot> snapshot_;
   std::shared_ptr<const Snapshot> valid_;  ///< the last that was valid
 };

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/snapshot.h"
+#include "core/handle.h"
 
 namespace foldless {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/mesh/text_lines.h"
+#include "core/files/text_lines.h"
 
 namespace foldless {
 namespace {

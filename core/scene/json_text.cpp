@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/mesh/text_lines.h"
+#include "core/files/text_lines.h"
 #include "core/scene/json_node.h"
 
 namespace foldless {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "core/mesh/text_lines.h"
+#include "core/files/text_lines.h"
 
 namespace foldless {
 namespace {

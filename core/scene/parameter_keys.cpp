@@ -7,7 +7,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "core/mesh/text_lines.h"
+#include "core/files/text_lines.h"
 
 namespace foldless {
 namespace {

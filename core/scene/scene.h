@@ -11,7 +11,7 @@
 #include "core/energy/density.h"
 #include "core/mesh/triangle.h"
 #include "core/scene/parameters.h"
-#include "core/snapshot.h"
+#include "core/handle.h"
 
 namespace foldless {
 

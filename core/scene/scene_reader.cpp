@@ -5,12 +5,12 @@
 #include <set>
 #include <utility>
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/energy/densities.h"
-#include "core/mesh/mesh_io.h"
-#include "core/mesh/polygon_soup.h"
-#include "core/mesh/text_lines.h"
-#include "core/mesh/validate.h"
+#include "core/files/mesh_io.h"
+#include "core/files/polygon_soup.h"
+#include "core/files/text_lines.h"
+#include "core/files/validate.h"
 #include "core/scene/handle_kind.h"
 #include "core/scene/json_value.h"
 #include "core/scene/parameter_keys.h"

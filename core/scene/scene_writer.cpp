@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/scene/handle_kind.h"
 #include "core/scene/json_node.h"
 #include "core/scene/parameter_keys.h"

@@ -15,7 +15,7 @@ namespace foldless {
 /// for all other unknowns f. The step as a whole is scaled by t = min(1, 0.8 t_max), t_max as in
 /// line_search(), so that no triangle reaches A′ = δA on the way; at t = 1 the handles are exactly
 /// on their targets. E may rise. Counts H and U. Precondition: `positions.held`.
-VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
+VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
                            std::stop_token token);
 
 }  // namespace foldless

@@ -14,14 +14,14 @@ constexpr int kMostHalvings = 60;
 
 }  // namespace
 
-LineSearchResult line_search(const Objective& objective, const Positions& positions,
-                             const Line& line) {
+LineSearchResult line_search(const Objective& objective, const Energy& energy, const Line& line) {
   // Near the minimum the decrease drowns in the rounding of the sum.
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * std::abs(line.energy);
-  double t = std::min(1.0, kFirstTrial * objective.largest_step(line.u, line.step));
+  const double t_max = objective.largest_step(energy.settings.delta, line.u, line.step);
+  double t = std::min(1.0, kFirstTrial * t_max);
   for (int halving = 0; halving < kMostHalvings; ++halving, t /= 2) {
     Points trial = line.u + t * line.step;
-    const double trial_energy = objective.value(trial, positions).total();
+    const double trial_energy = objective.value(energy, trial).total();
     if (trial_energy <= line.energy + kArmijo * t * line.slope + rounding)
       return {t, std::move(trial)};
   }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solve/newton_system.h"
 
-#include "core/solve/conjugate_gradients.h"
+#include "core/linear/conjugate_gradients.h"
 
 namespace foldless {
 namespace {
 
 // The damping of [SKPSH13].
+constexpr double kFirstLambda = 0.1;
 constexpr double kLambdaAfterSuccess = 1e-5;
 constexpr double kLambdaFactor = 10;
 constexpr double kLargestLambda = 1e17;
@@ -26,24 +27,27 @@ constexpr double kLeastGainOfACarry = 1e-3;
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const EnergySettings& settings, const MeshPair& mesh,
-                           const Positions& positions)
-    : objective_(settings, mesh, positions), edge_count_(mesh.edge_count()) {}
+NewtonSystem::NewtonSystem(const MeshPair& mesh, const Constraints& constraints, Effort& effort)
+    : effort_(&effort),
+      objective_(mesh, constraints),
+      edge_count_(mesh.edge_count()),
+      lambda_(kFirstLambda) {}
 
-void NewtonSystem::rebuild(const MeshPair& mesh, const Positions& positions, int changed_edges) {
-  StageTimer timer(times.analyze);
-  objective_ = Objective(objective_.settings(), mesh, positions);
+void NewtonSystem::rebuild(const MeshPair& mesh, const Constraints& constraints,
+                           int changed_edges) {
+  StageTimer timer(effort_->times.analyze);
+  objective_ = Objective(mesh, constraints);
   is_factor_near_ = false;
-  take_pattern(mesh, changed_edges);
+  outdate_pattern(mesh, changed_edges);
 }
 
-void NewtonSystem::take_flips(const MeshPair& mesh, int flips) {
-  StageTimer timer(times.analyze);
-  objective_.take_flips(mesh);
-  take_pattern(mesh, flips);
+void NewtonSystem::follow_flips(const MeshPair& mesh, int flips) {
+  StageTimer timer(effort_->times.analyze);
+  objective_.follow_flips(mesh);
+  outdate_pattern(mesh, flips);
 }
 
-void NewtonSystem::take_pattern(const MeshPair& mesh, int changed_edges) {
+void NewtonSystem::outdate_pattern(const MeshPair& mesh, int changed_edges) {
   has_pattern_ = false;
   edge_count_ = mesh.edge_count();
   edges_changed_since_ordering_ += changed_edges;
@@ -51,45 +55,41 @@ void NewtonSystem::take_pattern(const MeshPair& mesh, int changed_edges) {
   plain_factor_ = false;
 }
 
-void NewtonSystem::set_energy(const EnergySettings& settings, const MeshPair& mesh,
-                              const Positions& positions) {
-  objective_ = Objective(settings, mesh, positions);
-  plain_factor_ = false;
-  is_factor_near_ = false;
-}
-
-void NewtonSystem::assemble(const Points& u, const Positions& positions, double clamping) {
+void NewtonSystem::assemble(const Energy& energy, const Points& u, double clamping) {
   if (!has_pattern_) {
-    StageTimer timer(times.analyze);
+    StageTimer timer(effort_->times.analyze);
     hessian_ = objective_.hessian_pattern();
     has_pattern_ = true;
   }
-  StageTimer timer(times.assemble);
-  first_order_ = objective_.assemble(u, positions, hessian_, clamping);
-  is_held_ = positions.held;
+  StageTimer timer(effort_->times.assemble);
+  first_order_ = objective_.assemble(energy, u, hessian_, clamping);
+  const EnergySettings& settings = energy.settings;
+  kind_ = {settings.density, settings.beta, settings.reference, energy.constraints.held};
   plain_factor_ = false;
 }
 
-void NewtonSystem::assemble_gradient(const Points& u, const Positions& positions) {
-  StageTimer timer(times.assemble);
-  first_order_ = objective_.gradient(u, positions);
+void NewtonSystem::assemble_gradient(const Energy& energy, const Points& u) {
+  StageTimer timer(effort_->times.assemble);
+  first_order_ = objective_.gradient(energy, u);
+}
+
+void NewtonSystem::analyze() {
+  StageTimer timer(effort_->times.analyze);
+  const bool keep =
+      edges_changed_since_ordering_ == 0 ||
+      (hessian_.size() < kReorderedFrom &&
+       edges_changed_since_ordering_ <= kEdgesChangedBeforeReordering * edge_count_);
+  if (!keep) edges_changed_since_ordering_ = 0;
+  cholesky_.analyze(hessian_, keep);
+  pattern_analyzed_ = true;
 }
 
 bool NewtonSystem::factorize(double mu) {
-  if (!pattern_analyzed_) {
-    StageTimer timer(times.analyze);
-    const bool keep =
-        edges_changed_since_ordering_ == 0 ||
-        (hessian_.size() < kReorderedFrom &&
-         edges_changed_since_ordering_ <= kEdgesChangedBeforeReordering * edge_count_);
-    if (!keep) edges_changed_since_ordering_ = 0;
-    cholesky_.analyze(hessian_, keep);
-    pattern_analyzed_ = true;
-  }
-  StageTimer timer(times.factorize);
-  ++counters.factorizations;
+  if (!pattern_analyzed_) analyze();
+  StageTimer timer(effort_->times.factorize);
+  ++effort_->factorizations;
   is_factor_near_ = cholesky_.factorize(hessian_, mu);
-  is_factor_held_ = is_held_;
+  kind_of_factor_ = kind_;
   return is_factor_near_;
 }
 
@@ -113,31 +113,34 @@ std::optional<double> NewtonSystem::factorize_damped(bool plain_failed, std::sto
     }
     lambda_ *= kLambdaFactor;
   }
+  lambda_ = kFirstLambda;
   return std::nullopt;
 }
 
 Points NewtonSystem::newton_step() {
-  StageTimer timer(times.solve);
-  return objective_.spread(cholesky_.solve(-gradient()));
+  StageTimer timer(effort_->times.solve);
+  return cholesky_.solve(-gradient()).reshaped(2, gradient().size() / 2);
 }
 
-Points NewtonSystem::carrying_step(const Points& u, const Points& way) {
-  StageTimer timer(times.solve);
-  const Eigen::VectorXd pull = objective_.pull_of_handles(u, way);
-  return objective_.spread(cholesky_.solve(-gradient() - pull)) + way;
+Points NewtonSystem::carrying_step(const EnergySettings& settings, const Points& u,
+                                   const Points& way) {
+  StageTimer timer(effort_->times.solve);
+  const Eigen::VectorXd pull = objective_.pull_of_handles(settings, u, way);
+  return cholesky_.solve(-gradient() - pull).reshaped(2, way.cols()) + way;
 }
 
-bool NewtonSystem::may_lag() const {
-  return is_lagging_ && is_factor_near_ && cholesky_.has_factor() && is_held_ == is_factor_held_;
+bool NewtonSystem::is_factor_near() const {
+  return is_factor_near_ && cholesky_.has_factor() && kind_ == kind_of_factor_;
 }
 
 std::optional<LaggedStep> NewtonSystem::lagged_newton_step() {
   return lagged_step(-gradient(), kLeastGain);
 }
 
-std::optional<LaggedStep> NewtonSystem::lagged_carrying_step(const Points& u, const Points& way) {
-  if (!may_lag()) return std::nullopt;
-  const Eigen::VectorXd pull = objective_.pull_of_handles(u, way);
+std::optional<LaggedStep> NewtonSystem::lagged_carrying_step(const EnergySettings& settings,
+                                                             const Points& u, const Points& way) {
+  if (!is_factor_near()) return std::nullopt;
+  const Eigen::VectorXd pull = objective_.pull_of_handles(settings, u, way);
   std::optional<LaggedStep> lagged = lagged_step(-gradient() - pull, kLeastGainOfACarry);
   if (lagged && !lagged->is_indefinite) lagged->step += way;
   return lagged;
@@ -145,21 +148,20 @@ std::optional<LaggedStep> NewtonSystem::lagged_carrying_step(const Points& u, co
 
 std::optional<LaggedStep> NewtonSystem::lagged_step(const Eigen::VectorXd& right_hand_side,
                                                     double least_gain) {
-  if (!may_lag()) return std::nullopt;
-  StageTimer timer(times.solve);
+  if (!is_factor_near()) return std::nullopt;
+  StageTimer timer(effort_->times.solve);
   const ConjugateGradientSolution solution = conjugate_gradients(
       hessian_, right_hand_side, cholesky_, {least_gain, kMostLaggedIterations});
   is_factor_near_ = solution.iterations < kIterationsOfAFarFactor;
   if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;
   if (solution.end == ConjugateGradientEnd::indefinite) return LaggedStep{{}, true};
-  return LaggedStep{objective_.spread(solution.x), false};
+  return LaggedStep{solution.x.reshaped(2, solution.x.size() / 2), false};
 }
 
 double NewtonSystem::slope(const Points& step) const {
   double sum = 0;
-  const std::vector<int>& vertices = objective_.unknowns().vertex_of_node;
-  for (std::size_t node = 0; node < vertices.size(); ++node)
-    sum += gradient().segment<2>(2 * static_cast<Eigen::Index>(node)).dot(step.col(vertices[node]));
+  for (Eigen::Index v = 0; v < step.cols(); ++v)
+    sum += gradient().segment<2>(2 * v).dot(step.col(v));
   return sum;
 }
 

@@ -6,16 +6,10 @@
 #include <stop_token>
 
 #include "core/energy/objective.h"
-#include "core/solve/cholesky.h"
-#include "core/solve/stage_times.h"
+#include "core/linear/cholesky.h"
+#include "core/solve/effort.h"
 
 namespace foldless {
-
-/// The counters of Table 1.
-struct Counters {
-  int factorizations = 0;  ///< H: every attempt
-  int updates = 0;         ///< U: every accepted update
-};
 
 /// A step from the factor of an earlier ∇²E.
 struct LaggedStep {
@@ -24,30 +18,28 @@ struct LaggedStep {
 };
 
 /// The linear system of eq. 6 for one mesh, with the damping of [SKPSH13] that lives from one
-/// iteration to the next. Plain copyable state.
+/// iteration to the next. It keeps what was assembled and factorized, never which energy is
+/// minimised: that comes with every call. Copyable; a copy adds to the same effort.
 class NewtonSystem {
  public:
-  NewtonSystem(const EnergySettings& settings, const MeshPair& mesh, const Positions& positions);
+  /// `constraints` tells which vertices have hard handles. `effort` outlives the system.
+  NewtonSystem(const MeshPair& mesh, const Constraints& constraints, Effort& effort);
 
-  /// Takes over a changed connectivity. The fill-reducing ordering is kept until more than 2 % of
-  /// the edges changed, when it begins to cost more than a new one.
-  void rebuild(const MeshPair& mesh, const Positions& positions, int changed_edges);
+  /// Follows a changed connectivity with the same hard handles. The fill-reducing ordering is kept
+  /// until more than 2 % of the edges changed, when it begins to cost more than a new one.
+  void rebuild(const MeshPair& mesh, const Constraints& constraints, int changed_edges);
   /// The same where `flips` edges were flipped and nothing else.
-  void take_flips(const MeshPair& mesh, int flips);
+  void follow_flips(const MeshPair& mesh, int flips);
 
   const Objective& objective() const { return objective_; }
-
-  /// Takes another energy for the same mesh; the pattern stays.
-  void set_energy(const EnergySettings& settings, const MeshPair& mesh, const Positions& positions);
-  void set_alpha(double alpha) { objective_.set_alpha(alpha); }
-  void set_conformal_weight(double weight) { objective_.set_conformal_weight(weight); }
+  Effort& effort() const { return *effort_; }
 
   /// Assembles E, ∇E and ∇²E at u for the factorizations that follow; elements are without the
   /// part `clamping` of their negative curvature.
-  void assemble(const Points& u, const Positions& positions, double clamping = 0);
+  void assemble(const Energy& energy, const Points& u, double clamping = 0);
   /// Assembles E and ∇E alone. ∇²E and its factor stay good when only targets moved since
   /// assemble().
-  void assemble_gradient(const Points& u, const Positions& positions);
+  void assemble_gradient(const Energy& energy, const Points& u);
   /// E and ∇E as assembled last.
   const EnergyTerms& energy() const { return first_order_.energy; }
   const Eigen::VectorXd& gradient() const { return first_order_.gradient; }
@@ -59,51 +51,57 @@ class NewtonSystem {
   bool factorize_plain();
   /// Factorizes ∇²E + μI for the smallest μ that the damping tries: μ = 0 first unless
   /// `plain_failed` (the caller knows), then λ added cumulatively, ×10 a failure. Nothing when
-  /// cancelled or when λ ran out of range; else μ.
+  /// cancelled or when λ ran out of range, from where it begins anew; else μ.
   std::optional<double> factorize_damped(bool plain_failed, std::stop_token token);
   /// −(factor)⁻¹ ∇E as displacements of the vertices, 2 × #V.
   Points newton_step();
   /// The same where the held handles move by `way`, 2 × #V and zero elsewhere, and the others
   /// follow it: −(factor)⁻¹ (∇E + ∇²E way) with the handles' part of ∇²E at `u`, clamped, and `way`
   /// itself at the handles.
-  Points carrying_step(const Points& u, const Points& way);
+  Points carrying_step(const EnergySettings& settings, const Points& u, const Points& way);
   /// newton_step() without a factorization of ∇²E as last assembled: by conjugate gradients from
-  /// the factor of an earlier one, where there is one that is near enough.
+  /// the factor of an earlier one, where there is one that is near enough: of the same energy but
+  /// for α and the conformal weight, with the same handles held.
   std::optional<LaggedStep> lagged_newton_step();
   /// carrying_step() in that way.
-  std::optional<LaggedStep> lagged_carrying_step(const Points& u, const Points& way);
-  /// ∇E · step, for a step as newton_step() gives it.
+  std::optional<LaggedStep> lagged_carrying_step(const EnergySettings& settings, const Points& u,
+                                                 const Points& way);
+  /// ∇E · step.
   double slope(const Points& step) const;
   /// Says that the vertices moved: what was assembled and factorized is out of date.
   void moved() { plain_factor_ = false; }
-  /// Whether a factor may serve several steps; true to begin with.
-  bool is_lagging() const { return is_lagging_; }
-  void set_lagging(bool lagging) { is_lagging_ = lagging; }
   /// Says that ∇²E changed too much for its factor to serve another step.
   void outdate_factor() { is_factor_near_ = false; }
 
-  Counters counters;
-  StageTimes times;
-
  private:
-  void take_pattern(const MeshPair& mesh, int changed_edges);
-  bool may_lag() const;
+  /// What a Hessian is of, as far as an earlier factor cannot make up for it.
+  struct HessianKind {
+    const Density* density = nullptr;
+    double beta = 0;
+    Reference reference = Reference::rest;
+    bool held = false;
+    bool operator==(const HessianKind&) const = default;
+  };
+
+  void outdate_pattern(const MeshPair& mesh, int changed_edges);
+  void analyze();
+  bool is_factor_near() const;
   std::optional<LaggedStep> lagged_step(const Eigen::VectorXd& right_hand_side, double least_gain);
 
+  Effort* effort_;
   Objective objective_;
   SparseSymmetric hessian_;
+  HessianKind kind_;  ///< of ∇²E as assembled
   EnergyGradient first_order_;
   Cholesky cholesky_;
+  HessianKind kind_of_factor_;
   bool has_pattern_ = false;  ///< of the connectivity as it is
   bool pattern_analyzed_ = false;
   bool plain_factor_ = false;
-  bool is_held_ = false;         ///< whether ∇²E as assembled is that of held handles
-  bool is_factor_held_ = false;  ///< and that of the factor
   bool is_factor_near_ = false;  ///< to ∇²E, as far as is known
-  bool is_lagging_ = true;
   int edges_changed_since_ordering_ = 0;
   int edge_count_ = 0;
-  double lambda_ = 0.1;
+  double lambda_;
 };
 
 }  // namespace foldless

@@ -4,13 +4,16 @@
 namespace foldless {
 
 std::optional<VertexUpdate> relax_vertices(NewtonSystem& system, MeshPair& mesh,
-                                           const Positions& positions, std::stop_token token) {
-  const Positions held = held_where_they_are(positions, mesh.deformed());
-  system.assemble(mesh.deformed(), held);
+                                           const Energy& energy, std::stop_token token) {
+  // E_c pulls to where the handles are (4.2).
+  const Energy relaxing{energy.settings,
+                        with_targets(energy.constraints,
+                                     handle_positions(energy.constraints, mesh.deformed()))};
+  system.assemble(relaxing, mesh.deformed());
   if (system.factorize_plain()) return std::nullopt;
   const std::optional<double> mu = system.factorize_damped(true, token);
   if (!mu) return VertexUpdate{.cancelled = token.stop_requested()};
-  return move_vertices(system, mesh, held, *mu);
+  return move_vertices(system, mesh, relaxing, *mu);
 }
 
 }  // namespace foldless

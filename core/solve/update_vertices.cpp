@@ -5,38 +5,39 @@
 
 namespace foldless {
 
-VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
+VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
                              std::stop_token token) {
   if (system.has_plain_factor()) {
-    system.assemble_gradient(mesh.deformed(), positions);
-    return move_vertices(system, mesh, positions, 0);
+    system.assemble_gradient(energy, mesh.deformed());
+    return move_vertices(system, mesh, energy, 0);
   }
-  system.assemble(mesh.deformed(), positions);
+  system.assemble(energy, mesh.deformed());
   const std::optional<double> mu = system.factorize_damped(false, token);
   if (!mu) return {.cancelled = token.stop_requested()};
-  return move_vertices(system, mesh, positions, *mu);
+  return move_vertices(system, mesh, energy, *mu);
 }
 
-VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
-                           double mu) {
-  return move_along(system, mesh, positions, system.newton_step(), mu);
+VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Energy& energy, double mu) {
+  VertexUpdate update = move_along(system.newton_step(), system, mesh, energy);
+  update.mu = mu;
+  return update;
 }
 
-VertexUpdate move_along(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
-                        const Points& step, double mu) {
-  VertexUpdate update{.mu = mu};
-  StageTimer timer(system.times.line_search);
+VertexUpdate move_along(const Points& step, NewtonSystem& system, MeshPair& mesh,
+                        const Energy& energy) {
+  VertexUpdate update;
+  StageTimer timer(system.effort().times.line_search);
   const double slope = system.slope(step);
   if (!(slope < 0)) return update;
   update.decrement = -0.5 * slope;
-  LineSearchResult found = line_search(system.objective(), positions,
+  LineSearchResult found = line_search(system.objective(), energy,
                                        {mesh.deformed(), step, system.energy().total(), slope});
   if (found.step_length == 0) return update;
   update.step_length = found.step_length;
   update.step_infinity_norm = (found.u - mesh.deformed()).cwiseAbs().maxCoeff();
   mesh.set_deformed(std::move(found.u));
   system.moved();
-  ++system.counters.updates;
+  ++system.effort().updates;
   return update;
 }
 

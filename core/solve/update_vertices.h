@@ -3,7 +3,6 @@
 
 #include <stop_token>
 
-#include "core/energy/positions.h"
 #include "core/mesh/mesh_pair.h"
 #include "core/solve/newton_system.h"
 
@@ -22,16 +21,15 @@ struct VertexUpdate {
 /// UpdateVertices (4.2): one damped Newton step on the full E, eq. 6, and a line search. Moves the
 /// deformed positions of `mesh`; they stay feasible on the whole way. The system's factor is used
 /// again when RelaxVertices left one.
-VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
+VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
                              std::stop_token token);
 
 /// Solves with the factor that the system holds, searches along the step and moves the mesh:
 /// what UpdateVertices and RelaxVertices have in common. Counts U.
-VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
-                           double mu);
+VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Energy& energy, double mu);
 
-/// Searches along a step and moves the mesh. Counts U.
-VertexUpdate move_along(NewtonSystem& system, MeshPair& mesh, const Positions& positions,
-                        const Points& step, double mu);
+/// Searches along a step and moves the mesh. Precondition: E and ∇E are assembled. Counts U.
+VertexUpdate move_along(const Points& step, NewtonSystem& system, MeshPair& mesh,
+                        const Energy& energy);
 
 }  // namespace foldless

@@ -20,7 +20,7 @@ constexpr double kTwist = 60;
 struct Twist {
   explicit Twist(int faces)
       : problem(turned_disk(faces, kTwist)),
-        positions(positions_of(problem.handles)),
+        positions(constraints_of(problem.handles)),
         settings(energy_settings(problem)) {
     const auto method = find_method("paper-noflip")->start(problem);
     for (int i = 0; i < 5; ++i) method->step({});
@@ -28,7 +28,7 @@ struct Twist {
   }
 
   Problem problem;
-  Positions positions;
+  Constraints positions;
   EnergySettings settings;
 };
 

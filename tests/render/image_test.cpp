@@ -8,7 +8,7 @@
 #include <memory>
 #include <random>
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/error.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "core/energy/sparse_symmetric.h"
+#include "core/linear/sparse_symmetric.h"
 
 namespace foldless::test {
 

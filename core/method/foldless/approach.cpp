@@ -2,10 +2,12 @@
 #include "core/method/foldless/approach.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
+
+#include "core/method/foldless/flipping_descent.h"
 
 namespace foldless {
-namespace {
+namespace approaching {
 
 constexpr double kFirstAlpha = 10;
 constexpr double kAlphaFactor = 10;
@@ -13,8 +15,8 @@ constexpr double kLastAlpha = 5e7;
 /// A way of a handle from which the weakest penalty is right. [D]
 constexpr double kLongWay = 0.1;
 
-/// A stage of α has done its work when no vertex moves more than this, or when the model promises
-/// less than this part of E.
+/// A level of α has done its work when no vertex moves more than this [D], or when the model
+/// promises less than this part of E.
 constexpr double kSmallStep = 1e-3;
 constexpr double kSmallDecrement = 1e-2;
 
@@ -22,70 +24,78 @@ constexpr double kSmallDecrement = 1e-2;
 constexpr double kNearEnough = 1e-4;
 
 constexpr int kMostMultiplierSteps = 8;
-constexpr double kMultipliersBelow = 1e-5;
+constexpr double kMultipliersBelow = 1e-5;  ///< ‖P‖²/D²
 
 /// Stalled: ‖P‖² fell by less than this part in so many steps.
 constexpr double kGainOfAWatch = 0.25;
 constexpr int kStepsOfAWatch = 25;
 
 /// A short way needs no detour: the start is the stiffer, with the square, the shorter the way.
-double first_alpha(const Workspace& workspace) {
-  const Points handles =
-      held_where_they_are(workspace.positions, workspace.mesh.deformed()).targets;
-  if (handles.cols() == 0) return kFirstAlpha;
-  const double way = (workspace.positions.targets - handles).colwise().norm().maxCoeff();
-  const double shortness = kLongWay / std::max(way, kLongWay * 1e-4);
+double first_alpha(const Workspace& work) {
+  const double way = (work.constraints.targets - work.handles()).colwise().norm().maxCoeff();
+  const double long_way = kLongWay * work.settings->diagonal;
+  const double shortness = long_way / std::max(way, long_way * 1e-4);
   return std::clamp(kFirstAlpha * shortness * shortness, kFirstAlpha, kLastAlpha);
 }
 
-}  // namespace
+/// Looks after every so many steps whether ‖P‖² still falls.
+class Watch {
+ public:
+  explicit Watch(double error) : error_(error) {}
 
-Approach::Approach(Workspace& workspace) : aimed_(workspace.positions) {
-  start_alpha(workspace, first_alpha(workspace));
-}
-
-void Approach::start_alpha(Workspace& workspace, double alpha) {
-  alpha_ = alpha;
-  workspace.system.set_alpha(alpha);
-  watched_error_ = workspace.error();
-  watched_steps_ = 0;
-}
-
-Progress Approach::step(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
-  update = workspace.descend(aimed_, token);
-  return update.cancelled ? Progress::cancelled : after_step(workspace, update);
-}
-
-Progress Approach::after_step(Workspace& workspace, const VertexUpdate& update) {
-  const double error = workspace.error();
-  if (error <= kNearEnough && workspace.snap()) return Progress::arrived;
-  const EnergyTerms terms = workspace.system.objective().value(workspace.mesh.deformed(), aimed_);
-  bool is_settled =
-      update.step_infinity_norm < kSmallStep || update.decrement < kSmallDecrement * terms.total();
-  if (++watched_steps_ >= kStepsOfAWatch) {
-    if (error > (1 - kGainOfAWatch) * watched_error_) {
-      if (alpha_ >= kLastAlpha) return Progress::locked;
-      is_settled = true;
-    }
-    watched_error_ = error;
-    watched_steps_ = 0;
+  bool has_stalled(double error) {
+    if (++steps_ < kStepsOfAWatch) return false;
+    const bool stalled = error > (1 - kGainOfAWatch) * error_;
+    *this = Watch(error);
+    return stalled;
   }
-  if (alpha_ >= kLastAlpha) return at_full_penalty(workspace, error, is_settled);
-  if (is_settled) start_alpha(workspace, std::min(kLastAlpha, kAlphaFactor * alpha_));
-  return Progress::running;
+
+ private:
+  double error_;  ///< ‖P‖² when it began
+  int steps_ = 0;
+};
+
+/// The reaction of the mesh keeps the handles off their targets by multipliers / 2α: the aim moves
+/// by as much to the other side.
+void move_aim(const Workspace& work, Constraints& aimed) {
+  aimed.targets -= work.handles() - work.constraints.targets;
 }
 
-// The reaction of the mesh keeps the handles off their targets by multipliers / 2α.
-Progress Approach::at_full_penalty(Workspace& workspace, double error, bool is_settled) {
-  if (!is_settled) return Progress::running;
-  if (error > kMultipliersBelow || multiplier_steps_ >= kMostMultiplierSteps)
-    return Progress::running;  // the watch decides
-  ++multiplier_steps_;
-  for (int i = 0; i < aimed_.count(); ++i)
-    aimed_.targets.col(i) -=
-        workspace.mesh.deformed().col(aimed_.vertices[static_cast<std::size_t>(i)]) -
-        workspace.positions.targets.col(i);
-  return Progress::running;
+}  // namespace approaching
+
+Steps<Progress> approach(Workspace& work, FactorUse use) {
+  using namespace approaching;
+  const double D = work.settings->diagonal;
+  Energy energy{work.settings->energy, work.constraints};
+  double& alpha = energy.settings.alpha;
+  alpha = first_alpha(work);
+  FlippingDescent descent(use);
+  Watch watch(work.error());
+  int multiplier_steps = 0;
+  const auto next = [&](std::stop_token token) {
+    return descent.step(work, energy, std::move(token));
+  };
+  while (true) {
+    const VertexUpdate update = co_await vertex_update(next);
+    const bool has_arrived = work.error() <= kNearEnough * D * D && work.snap(energy.settings);
+    co_yield work.record(update, energy, Phase::approach);
+    if (has_arrived) co_return Progress::arrived;
+
+    const double error = work.error();
+    const bool has_stalled = watch.has_stalled(error);
+    if (has_stalled && alpha >= kLastAlpha) co_return Progress::locked;
+    const double E = work.system.objective().value(energy, work.mesh.deformed()).total();
+    const bool is_settled = has_stalled || update.step_infinity_norm < kSmallStep * D ||
+                            update.decrement < kSmallDecrement * E;
+    if (!is_settled) continue;
+    if (alpha < kLastAlpha) {
+      alpha = std::min(kLastAlpha, kAlphaFactor * alpha);
+      watch = Watch(error);
+    } else if (error <= kMultipliersBelow * D * D && multiplier_steps < kMostMultiplierSteps) {
+      ++multiplier_steps;
+      move_aim(work, energy.constraints);
+    }
+  }
 }
 
 }  // namespace foldless

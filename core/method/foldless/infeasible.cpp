@@ -16,10 +16,10 @@ constexpr std::size_t kMostEdgeTests = 50'000'000;
 /// A region with the targets of its handles.
 class Prescribed {
  public:
-  Prescribed(const HeldRegion& region, const Positions& positions)
-      : region_(region), positions_(positions) {
+  Prescribed(const PrescribedRegion& region, const Constraints& constraints)
+      : region_(region), constraints_(constraints) {
     for (const std::vector<int>& loop : region.loops) {
-      polygons_.emplace_back(positions.targets(Eigen::all, loop));
+      polygons_.emplace_back(constraints.targets(Eigen::all, loop));
       corners_.insert(corners_.end(), loop.begin(), loop.end());
     }
     most_points_ = kMostEdgeTests / corners_.size();
@@ -88,10 +88,10 @@ class Prescribed {
     return std::nullopt;
   }
 
-  Vec2 target(int handle) const { return positions_.targets.col(handle); }
+  Vec2 target(int handle) const { return constraints_.targets.col(handle); }
 
   std::string name(int handle) const {
-    return std::to_string(positions_.vertices[static_cast<std::size_t>(handle)]);
+    return std::to_string(constraints_.vertices[static_cast<std::size_t>(handle)]);
   }
 
   std::string names(const std::vector<int>& handles) const {
@@ -109,8 +109,8 @@ class Prescribed {
     return count == 1 ? "once" : std::to_string(count) + " times";
   }
 
-  const HeldRegion& region_;
-  const Positions& positions_;
+  const PrescribedRegion& region_;
+  const Constraints& constraints_;
   std::vector<Points> polygons_;  ///< P
   std::vector<int> corners_;      ///< handles, in the order of the loops
   std::size_t most_points_;       ///< that a criterion looks at
@@ -118,10 +118,10 @@ class Prescribed {
 
 }  // namespace
 
-std::optional<std::string> why_infeasible(const std::vector<HeldRegion>& regions,
-                                          const Positions& positions) {
-  for (const HeldRegion& region : regions)
-    if (auto why = Prescribed(region, positions).why_infeasible()) return why;
+std::optional<std::string> why_infeasible(const std::vector<PrescribedRegion>& regions,
+                                          const Constraints& constraints) {
+  for (const PrescribedRegion& region : regions)
+    if (auto why = Prescribed(region, constraints).why_infeasible()) return why;
   return std::nullopt;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/method/foldless/held_regions.h"
+#include "core/method/foldless/prescribed_regions.h"
 
 namespace foldless {
 
@@ -22,7 +22,7 @@ namespace foldless {
 ///
 /// Exact for the targets as they are given, bar the area, whose rounding is bounded.
 /// O(boundary × (boundary + handles inside)); points beyond 5e7 tests of an edge are left out.
-std::optional<std::string> why_infeasible(const std::vector<HeldRegion>& regions,
-                                          const Positions& positions);
+std::optional<std::string> why_infeasible(const std::vector<PrescribedRegion>& regions,
+                                          const Constraints& constraints);
 
 }  // namespace foldless

@@ -2,12 +2,12 @@
 #include "core/method/foldless/other_ways.h"
 
 #include <utility>
-#include <vector>
 
+#include "core/method/foldless/approach.h"
 #include "core/method/foldless/transport_plans.h"
 
 namespace foldless {
-namespace {
+namespace trying_ways {
 
 /// Handles of a mesh of at most so many triangles are carried in many orders; all of it takes
 /// seconds then.
@@ -15,41 +15,55 @@ constexpr int kLargestInManyOrders = 5000;
 constexpr int kRandomOrders = 16;
 /// One of so many is refined when nothing else helped.
 constexpr int kLargestRefined = 2000;
-/// The mesh as it is, then refined.
-constexpr int kMostGoingOn = 2;
 
-}  // namespace
+}  // namespace trying_ways
 
-OtherWays::OtherWays(const EnergySettings& energy, bool approach_first)
-    : energy_(energy), is_approach_next_(approach_first) {}
-
-std::optional<Attempt> OtherWays::next(const Workspace& at_rest) {
-  ++count_;
-  if (std::exchange(is_approach_next_, false)) return Attempt::approach(at_rest);
-  const Points& targets = at_rest.positions.targets;
-  const Points starts = held_where_they_are(at_rest.positions, at_rest.mesh.deformed()).targets;
-  const int faces = at_rest.mesh.face_count();
+std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints,
+                            bool with_approach) {
+  using namespace trying_ways;
+  const int faces = rest.face_count();
+  const Points starts = handle_positions(constraints, rest.rest());
+  const Points& targets = constraints.targets;
   const std::size_t first = transport_plans(starts, targets, 0).size();
-  if (transports_ == first && nearest_ && going_on_ < kMostGoingOn) return going_on(at_rest);
   const std::vector<TransportPlan> plans =
       transport_plans(starts, targets, faces <= kLargestInManyOrders ? kRandomOrders : 0);
-  const std::size_t next = transports_++;
-  const bool is_refined = next >= plans.size();
-  if (next >= 2 * plans.size() || (is_refined && faces > kLargestRefined)) return std::nullopt;
-  Workspace work = at_rest;
-  if (is_refined) work.refine();
-  return Attempt::transport(std::move(work), energy_, plans[next % plans.size()], next >= first);
+
+  std::vector<Way> ways;
+  if (with_approach) ways.push_back({.kind = Way::Kind::approach});
+  for (std::size_t i = 0; i < first; ++i) ways.push_back({.plan = plans[i]});
+  for (const bool is_refined : {false, true})
+    ways.push_back({.kind = Way::Kind::onwards, .is_refined = is_refined});
+  for (std::size_t i = first; i < plans.size(); ++i)
+    ways.push_back({.plan = plans[i], .goes_in_rounds = true});
+  if (faces <= kLargestRefined)
+    for (const TransportPlan& plan : plans)
+      ways.push_back({.plan = plan, .is_refined = true, .goes_in_rounds = true});
+  return ways;
 }
 
-Attempt OtherWays::going_on(const Workspace& at_rest) {
-  Workspace work = *nearest_;
-  work.take_counts(at_rest);
-  if (going_on_++ > 0) work.refine();
-  return Attempt::going_on(std::move(work), energy_);
+// A transport that locks nearer to the targets than anything before goes on as an approach.
+Steps<Progress> OtherWays::try_next(Workspace& work) {
+  if (!ways_) ways_ = other_ways(mesh_, work.constraints, with_approach_);
+  const Way& way = (*ways_)[next_++];
+  if (way.kind == Way::Kind::onwards && !nearest_) co_return Progress::locked;
+  ++work.system.effort().rounds;
+  Workspace other = way.kind == Way::Kind::onwards ? *nearest_ : work;
+  if (way.kind != Way::Kind::onwards) other.set_mesh({mesh_.triangles(), mesh_.rest()});
+  if (way.is_refined) other.refine();
+  Progress progress = co_await go(way, other);
+  const bool is_transport = way.kind != Way::Kind::approach;
+  if (progress == Progress::locked && is_transport) {
+    if (!nearest_ || other.error() < nearest_->error()) nearest_ = other;
+    if (other.error() < work.error()) progress = co_await approach(other, FactorUse::own);
+  }
+  if (progress == Progress::arrived || other.error() < work.error()) work = std::move(other);
+  co_return progress;
 }
 
-void OtherWays::take_locked(const Workspace& transport) {
-  if (!nearest_ || transport.error() < nearest_->error()) nearest_ = transport;
+Steps<Progress> OtherWays::go(const Way& way, Workspace& work) {
+  if (way.kind == Way::Kind::approach) return approach(work, FactorUse::own);
+  if (way.kind == Way::Kind::onwards) return transport_onwards(work);
+  return way.goes_in_rounds ? transport_in_rounds(work, way.plan) : transport(work, way.plan);
 }
 
 }  // namespace foldless

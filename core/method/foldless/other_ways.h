@@ -2,37 +2,52 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "core/method/foldless/attempt.h"
+#include "core/method/foldless/transport.h"
 
 namespace foldless {
 
-/// What is tried when the approach locked, in this order: transports from the rest state, as
+/// One of the ways that are tried where the approach locked.
+struct Way {
+  enum class Kind {
+    approach,   ///< from the rest state
+    transport,  ///< from the rest state
+    onwards     ///< a transport from where one locked nearest to the targets; without one: nothing
+  };
+  Kind kind = Kind::transport;
+  TransportPlan plan = {};       ///< of a transport
+  bool is_refined = false;       ///< on a mesh whose edges were all split
+  bool goes_in_rounds = false;   ///< a transport that goes on where it locks
+};
+
+/// What is tried, in this order: an approach where none has begun at rest; transports, as
 /// transport_plans() has them; on from the nearest place where one of them locked, on the mesh as
-/// it is and on a refined one; transports in random orders, which are persistent; and, of a small
-/// mesh, all of the transports on a refined one.
+/// it is and on a refined one; transports in random orders, in rounds; and, of a small mesh, all of
+/// the transports on a refined one. `rest` is where ways begin.
+std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints,
+                            bool with_approach);
+
+/// The ways one by one, on meshes of their own.
 class OtherWays {
  public:
-  /// `energy` is that of the scene. With `approach_first`, for an approach that did not begin at
-  /// rest, one that does is tried before.
-  OtherWays(const EnergySettings& energy, bool approach_first);
+  /// They begin at the rest state of `mesh`, which outlives them; `with_approach`: see other_ways().
+  OtherWays(const MeshPair& mesh, bool with_approach)
+      : mesh_(mesh), with_approach_(with_approach) {}
 
-  /// The next way; nothing when all were tried. `at_rest` has the mesh that ways begin with.
-  std::optional<Attempt> next(const Workspace& at_rest);
-  /// Takes a mesh on which a transport locked.
-  void take_locked(const Workspace& transport);
-  /// How many were tried.
-  int count() const { return count_; }
+  bool have_ended() const { return ways_ && next_ == ways_->size(); }
+  /// Tries the next way, from which `work` becomes its mesh where it arrives, and where it locks
+  /// nearer to the targets. Precondition: they have not ended.
+  Steps<Progress> try_next(Workspace& work);
 
  private:
-  Attempt going_on(const Workspace& at_rest);
+  Steps<Progress> go(const Way& way, Workspace& work);
 
-  EnergySettings energy_;
-  bool is_approach_next_;
-  std::size_t transports_ = 0;        ///< tried
-  int going_on_ = 0;                  ///< tried
+  const MeshPair& mesh_;
+  bool with_approach_;
+  std::optional<std::vector<Way>> ways_;  ///< from the first that is tried on
+  std::size_t next_ = 0;
   std::optional<Workspace> nearest_;  ///< where transports locked
-  int count_ = 0;
 };
 
 }  // namespace foldless

@@ -1,26 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/pursue.h"
 
+#include <utility>
+
 #include "core/solve/carry_handles.h"
 
 namespace foldless {
-namespace {
+namespace pursuit {
 
 /// A step that brings the handles less than this part of their way is short.
 constexpr double kShortCarry = 0.35;
 constexpr int kMostShortSteps = 3;
 
-}  // namespace
+}  // namespace pursuit
 
-Pursue::Pursue(const Workspace& workspace) : held_(workspace.positions) { held_.held = true; }
-
-Progress Pursue::step(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
-  update = carry_handles(workspace.system, workspace.mesh, held_, token);
-  if (update.cancelled) return Progress::cancelled;
-  if (update.step_length == 1) return Progress::arrived;
-  workspace.flip_edges();  // an edge was in the way
-  short_steps_ = update.step_length < kShortCarry ? short_steps_ + 1 : 0;
-  return short_steps_ >= kMostShortSteps ? Progress::locked : Progress::running;
+Steps<Progress> pursue(Workspace& work) {
+  using namespace pursuit;
+  const Energy energy = work.held_energy();
+  const auto carry = [&](std::stop_token token) {
+    return carry_handles(work.system, work.mesh, energy, std::move(token));
+  };
+  for (int short_steps = 0; short_steps < kMostShortSteps;) {
+    const VertexUpdate update = co_await vertex_update(carry);
+    const bool has_arrived = update.step_length == 1;
+    if (!has_arrived) work.flip_edges(energy.settings);  // an edge was in the way
+    co_yield work.record(update, energy, Phase::pursue);
+    if (has_arrived) co_return Progress::arrived;
+    short_steps = update.step_length < kShortCarry ? short_steps + 1 : 0;
+  }
+  co_return Progress::locked;
 }
 
 }  // namespace foldless

@@ -2,23 +2,13 @@
 #pragma once
 
 #include "core/method/foldless/workspace.h"
+#include "core/method/steps.h"
 
 namespace foldless {
 
-/// The first stage, and that of a drag, entered when targets move: the handles are carried to them
-/// by Newton steps that have their way on the right-hand side, in one when it is short. Arrives
-/// when the handles are exactly on their targets. Locks when steps in a row gain little, with the
-/// handles that much nearer.
-class Pursue {
- public:
-  explicit Pursue(const Workspace& workspace);
-  Progress step(Workspace& workspace, std::stop_token token, VertexUpdate& update);
-  /// The handles as the energy sees them in this stage.
-  const Positions& positions() const { return held_; }
-
- private:
-  Positions held_;
-  int short_steps_ = 0;  ///< in a row
-};
+/// The first stage, and that of a drag: the handles are carried to their targets by Newton steps
+/// that have their way on the right-hand side, in one when it is short. Arrives when the handles
+/// are exactly there. Locks when steps in a row gain little, with the handles that much nearer.
+Steps<Progress> pursue(Workspace& work);
 
 }  // namespace foldless

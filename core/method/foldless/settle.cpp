@@ -3,30 +3,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/energy/conformal_square.h"
+#include "core/method/foldless/flipping_descent.h"
 
 namespace foldless {
-namespace {
+namespace settling {
 
 /// Converged: the quadratic model promises less than this part of E, the more the nearer a full
 /// step was to Newton's, which leaves the less; at most
 constexpr double kSmallDecrement = 2e-4;
 /// after a full step with the exact ∇²E, which squares what is left.
 constexpr double kSmallDecrementOfNewton = 1e-2;
-constexpr double kSmallStep = 1e-9;
+constexpr double kSmallStep = 1e-9;  ///< [D]
 constexpr int kMostSteps = 300;
 /// Flips at the minimum start the descent again when they gain more than this part of E.
 constexpr double kGainOfFlips = 1e-2;
-/// Triangles that a transport crushed can make the step with them useless.
+/// Triangles that a transport crushed can make the step with K useless.
 constexpr int kMostFailures = 3;
 
-bool is_converged(const VertexUpdate& update, double energy) {
+bool is_converged(const VertexUpdate& update, double energy, double diagonal) {
   const bool is_full = update.step_length == 1;
   const double small = is_full
                            ? std::min(kSmallDecrement / update.clamping, kSmallDecrementOfNewton)
                            : kSmallDecrement;
-  return update.decrement <= small * energy || update.step_infinity_norm < kSmallStep;
+  return update.decrement <= small * energy || update.step_infinity_norm < kSmallStep * diagonal;
 }
 
 /// K.
@@ -37,50 +39,53 @@ double conformal_sum(const MeshPair& mesh) {
   return sum;
 }
 
-}  // namespace
-
-Settle::Settle(Workspace& workspace, double exponent)
-    : exponent_(exponent), held_(workspace.positions) {
-  held_.held = true;
-  workspace.curvature = {};
+double value_of(const Workspace& work, const Energy& energy) {
+  return work.system.objective().value(energy, work.mesh.deformed()).total();
 }
+
+}  // namespace settling
 
 // E Kᵉ falls with every step that lowers E + w K for w = ε E / K: the logarithm is concave.
-Progress Settle::step(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
-  if (!energy_) energy_ = energy_of(workspace);
-  const double weight = exponent_ * *energy_ / conformal_sum(workspace.mesh);
-  workspace.system.set_conformal_weight(is_plain_ ? 0 : weight);
-  const Progress progress = descend(workspace, token, update);
-  workspace.system.set_conformal_weight(0);
-  return progress;
-}
-
-Progress Settle::descend(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
-  update = workspace.descend(held_, token);
-  if (update.cancelled) return Progress::cancelled;
-  if (++steps_ >= kMostSteps) return Progress::arrived;
-  if (update.step_length == 0 && !is_plain_) {
-    ++failures_;
-    is_plain_ = true;
-    return Progress::running;
+Steps<> settle(Workspace& work, SettleSettings settings) {
+  using namespace settling;
+  const Energy scene = work.held_energy();
+  Energy energy = scene;
+  double& weight = energy.settings.conformal_weight;
+  FlippingDescent descent(settings.use);
+  const auto next = [&](std::stop_token token) {
+    return descent.step(work, energy, std::move(token));
+  };
+  double E = value_of(work, scene);
+  int failures = 0;
+  bool is_plain = false;  // the next step lowers E alone
+  for (int step = 1;; ++step) {
+    weight = is_plain ? 0 : settings.exponent * E / conformal_sum(work.mesh);
+    const VertexUpdate update = co_await vertex_update(next);
+    const bool has_failed = update.step_length == 0 && !is_plain;
+    if (has_failed) ++failures;
+    is_plain = has_failed || failures >= kMostFailures;
+    bool is_settled = step >= kMostSteps;
+    if (!has_failed && !is_settled) {
+      E = value_of(work, scene);
+      if (is_converged(update, E, work.settings->diagonal)) {
+        const double before = value_of(work, energy);
+        descent.flip(work, energy.settings);
+        is_settled = before - value_of(work, energy) <= kGainOfFlips * before;
+        E = value_of(work, scene);
+      }
+    }
+    co_yield work.record(update, scene, Phase::settle);
+    if (is_settled) co_return;
   }
-  is_plain_ = failures_ >= kMostFailures;
-  const double energy = energy_of(workspace);
-  energy_ = energy;
-  if (!is_converged(update, energy)) return Progress::running;
-  workspace.flip_edges();
-  energy_ = energy_of(workspace);
-  const bool is_gain = energy - *energy_ > kGainOfFlips * energy;
-  return is_gain ? Progress::running : Progress::arrived;
 }
 
-double Settle::energy_of(const Workspace& workspace) const {
-  return workspace.system.objective().value(workspace.mesh.deformed(), held_).total();
+double settled_energy(const Workspace& work) {
+  return settling::value_of(work, work.held_energy());
 }
 
-double Settle::merit_of(const Workspace& workspace) const {
-  const double mean = conformal_sum(workspace.mesh) / workspace.mesh.face_count();
-  return energy_of(workspace) * std::pow(mean, exponent_);
+double merit_of(const Workspace& work, double exponent) {
+  const double mean = settling::conformal_sum(work.mesh) / work.mesh.face_count();
+  return settled_energy(work) * std::pow(mean, exponent);
 }
 
 }  // namespace foldless

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/tidy.h"
 
+#include <optional>
 #include <utility>
 
 #include "core/mesh/quality.h"
+#include "core/method/foldless/settle.h"
 
 namespace foldless {
-namespace {
+namespace tidying {
 
+/// σ₁/σ₂ from which a triangle counts as crushed.
+constexpr double kCrushed = 1e3;
 /// What flips and moves make of the mesh lets more vertices go in a second and third round.
 constexpr int kMostRounds = 3;
 /// By which part of E a vertex may raise it when it goes; moves take most of it back.
@@ -21,57 +25,58 @@ constexpr double kCrowded = 0.1;
 constexpr int kMostCrowdedRounds = 10;
 constexpr double kRiseOfACrowdedVertex = 0.1;
 /// and with a triangle that is crushed by no more than this; settling mends most of them.
-constexpr double kLargestDistortionWhenCrowded = 10 * Tidy::kCrushed;
+constexpr double kLargestDistortionWhenCrowded = 10 * kCrushed;
 constexpr double kRiseOfACrowdedRound = 1;
 constexpr double kLargeExponent = 0.2;
 
-}  // namespace
+bool is_crowded(const Workspace& work, const MeshPair& mesh) {
+  return mesh.vertex_count() > (1 + kCrowded) * work.settings->first_removable;
+}
 
-Tidy::Tidy(Workspace& workspace, int first_removable)
-    : first_removable_(first_removable), settle_(workspace) {}
+/// True when vertices went.
+bool collapse(Workspace& work, bool is_crowded) {
+  const double rise = is_crowded ? kRiseOfACrowdedVertex : kRiseOfAVertex;
+  return work.collapse_edges(
+             {.energy = work.settings->energy,
+              .first_removable = work.settings->first_removable,
+              .largest_rise = rise * settled_energy(work),
+              .largest_distortion = is_crowded ? kLargestDistortionWhenCrowded : kCrushed}) > 0;
+}
 
-Progress Tidy::step(Workspace& workspace, std::stop_token token, VertexUpdate& update) {
-  const Progress progress = settle_.step(workspace, token, update);
-  if (progress != Progress::arrived) return progress;
-  if (is_collapsing_ && collapse(workspace)) {
-    settle_ = Settle(workspace);
-    return Progress::running;
+Steps<> collapse_in_rounds(Workspace& work) {
+  std::optional<MeshPair> before;
+  double merit_before = 0;
+  for (int round = 0; work.settings->first_removable < work.mesh.vertex_count(); ++round) {
+    const double merit = merit_of(work);
+    if (before) {
+      const double rise = is_crowded(work, *before) ? kRiseOfACrowdedRound : kRiseOfARound;
+      if (!(merit <= (1 + rise) * merit_before)) {
+        work.set_mesh(*std::move(before));
+        co_return;
+      }
+    }
+    const bool crowded = is_crowded(work, work.mesh);
+    if (round >= (crowded ? kMostCrowdedRounds : kMostRounds)) co_return;
+    before = work.mesh;
+    merit_before = merit;
+    if (!collapse(work, crowded)) co_return;
+    co_await settle(work);
   }
-  return begin_uncrushing(workspace) ? Progress::running : Progress::arrived;
 }
 
-bool Tidy::is_crowded(const MeshPair& mesh) const {
-  return mesh.vertex_count() > (1 + kCrowded) * first_removable_;
+}  // namespace tidying
+
+Steps<> tidy(Workspace& work) {
+  using namespace tidying;
+  co_await settle(work);
+  co_await collapse_in_rounds(work);
+  if (is_crushed(work.mesh)) co_await settle(work, {.exponent = kLargeExponent});
 }
 
-bool Tidy::collapse(Workspace& workspace) {
-  if (first_removable_ >= workspace.mesh.vertex_count()) return false;
-  const double merit = settle_.merit_of(workspace);
-  const double rise = before_ && is_crowded(before_->mesh) ? kRiseOfACrowdedRound : kRiseOfARound;
-  if (before_ && !(merit <= (1 + rise) * before_->merit)) {
-    workspace.set_mesh(std::move(before_->mesh));
-    return false;
-  }
-  const bool crowded = is_crowded(workspace.mesh);
-  if (rounds_++ >= (crowded ? kMostCrowdedRounds : kMostRounds)) return false;
-  before_ = Before{workspace.mesh, merit};
-  return workspace.collapse_edges(
-             {.energy = workspace.system.objective().settings(),
-              .first_removable = first_removable_,
-              .largest_rise =
-                  (crowded ? kRiseOfACrowdedVertex : kRiseOfAVertex) * settle_.energy_of(workspace),
-              .largest_distortion = crowded ? kLargestDistortionWhenCrowded : kCrushed}) > 0;
+double largest_distortion(const MeshPair& mesh) {
+  return quality_of(mesh.triangles(), mesh.rest(), mesh.deformed()).max_conformal_distortion;
 }
 
-bool Tidy::begin_uncrushing(Workspace& workspace) {
-  const MeshPair& mesh = workspace.mesh;
-  if (!std::exchange(is_collapsing_, false)) return false;
-  before_.reset();
-  if (quality_of(mesh.triangles(), mesh.rest(), mesh.deformed()).max_conformal_distortion <
-      kCrushed)
-    return false;
-  settle_ = Settle(workspace, kLargeExponent);
-  return true;
-}
+bool is_crushed(const MeshPair& mesh) { return largest_distortion(mesh) >= tidying::kCrushed; }
 
 }  // namespace foldless

@@ -3,8 +3,10 @@
 
 #include <vector>
 
-#include "core/method/foldless/handle_paths.h"
 #include "core/method/foldless/workspace.h"
+#include "core/method/handle_paths.h"
+#include "core/method/steps.h"
+#include "core/solve/descent.h"
 
 namespace foldless {
 
@@ -19,30 +21,16 @@ struct TransportPlan {
 /// The stage for handles that the approach could not bring home. It forgets the distortion of the
 /// map for a while: from the rest state, handles are carried along paths in short strides under the
 /// symmetric Dirichlet energy of each deformed triangle against an equilateral one, flips serving
-/// that energy. Where a handle lags, edges ahead of it are split. Arrives when the handles are
-/// exactly on their targets.
-class Transport {
- public:
-  /// The energy that `workspace` must have.
-  static EnergySettings energy(double delta);
+/// that energy. Where a handle stays behind, edges ahead of it are split. Arrives when the handles
+/// are exactly on their targets.
+Steps<Progress> transport(Workspace& work, TransportPlan plan);
 
-  Transport(Workspace& workspace, TransportPlan plan);
-  Progress step(Workspace& workspace, std::stop_token token, VertexUpdate& update);
+/// A transport that, where it locks, settles under the energy of the scene with the handles held
+/// where they are, which gives triangles that it left as slivers their shape back, and carries the
+/// handles on from there; again, while every such round brings them a good deal nearer.
+Steps<Progress> transport_in_rounds(Workspace& work, TransportPlan plan);
 
- private:
-  void begin_stride(Workspace& workspace);
-  Progress end_stride(Workspace& workspace);
-  double distance_to_go(const Workspace& workspace, int handle) const;
-  void split_ahead(Workspace& workspace);
-
-  TransportPlan plan_;
-  HandlePaths paths_;
-  std::vector<double> lambda_;  ///< by handle: where on its path the stride ends
-  Positions aimed_;             ///< targets of this stride
-  std::size_t group_ = 0;
-  double lag_ = 0;  ///< Σ of the distances to go when the stride began
-  int steps_of_stride_ = 0;
-  int strides_without_gain_ = 0;
-};
+/// The same from where another transport locked: settles first.
+Steps<Progress> transport_onwards(Workspace& work);
 
 }  // namespace foldless

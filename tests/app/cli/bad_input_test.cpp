@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "core/mesh/mesh_io.h"
+#include "core/files/mesh_io.h"
 #include "tests/app/cli/command.h"
 #include "tests/core/run/scripted_method.h"
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/mesh/injective.h"
-#include "core/mesh/mesh_io.h"
-#include "core/mesh/validate.h"
+#include "core/files/mesh_io.h"
+#include "core/files/validate.h"
 #include "tests/app/cli/command.h"
 #include "tests/core/run/scripted_method.h"
 

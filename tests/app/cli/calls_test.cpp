@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "core/mesh/mesh_io.h"
+#include "core/files/mesh_io.h"
 #include "render/image.h"
 #include "tests/app/cli/command.h"
 #include "tests/core/run/scripted_method.h"

@@ -9,7 +9,7 @@
 
 #include "app/editor/edits.h"
 #include "app/gui/race_layout.h"
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/mesh/generate.h"
 #include "render/theme.h"
 #include "tests/app/gui/headless_editor.h"

@@ -7,7 +7,7 @@
 
 #include "core/mesh/generate.h"
 #include "core/mesh/injective.h"
-#include "core/mesh/mesh_io.h"
+#include "core/files/mesh_io.h"
 #include "tests/app/gui/headless_editor.h"
 
 namespace foldless::test {

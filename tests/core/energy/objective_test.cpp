@@ -14,12 +14,12 @@
 namespace foldless {
 namespace {
 
-Positions corner_handles(const Points& rest) {
+Constraints corner_handles(const Points& rest) {
   Handle fixed{.id = 0, .vertex = 0, .target = rest.col(0)};
   Handle moved{.id = 1, .vertex = 8, .target = rest.col(8) + Vec2(0.1, -0.2)};
   Handle soft{
       .id = 2, .vertex = 4, .target = Vec2(1, 1.1), .kind = HandleKind::soft, .weight = 0.5};
-  return positions_of({fixed, moved, soft});
+  return constraints_of({fixed, moved, soft});
 }
 
 Points shaken(const Points& rest, unsigned seed) {
@@ -35,32 +35,32 @@ class ObjectiveTest : public testing::TestWithParam<Density> {};
 TEST_P(ObjectiveTest, GradientAndHessianAgreeWithFiniteDifferences) {
   const auto f = test::square_grid(3);
   const MeshPair mesh(f.triangles, f.rest);
-  const Positions positions = corner_handles(f.rest);
+  const Constraints constraints = corner_handles(f.rest);
   // α is small here so that the penalty does not hide the other terms.
   for (const bool weighted : {true, false}) {
     EnergySettings settings{&GetParam(), 3.0, 0.7, 1e-2, weighted};
     settings.conformal_weight = weighted ? 0.3 : 0;
-    const Objective objective(settings, mesh, positions);
+    const Objective objective(settings, mesh, constraints);
     const Points u = shaken(f.rest, 5);
-    ASSERT_TRUE(std::isfinite(objective.value(u, positions).total()));
+    ASSERT_TRUE(std::isfinite(objective.value(u, constraints).total()));
     const auto points = [](const Eigen::VectorXd& x) -> Points {
       return x.reshaped(2, x.size() / 2);
     };
     const Eigen::VectorXd x = u.reshaped();
     SparseSymmetric hessian = objective.hessian_pattern();
-    const auto [energy, gradient] = objective.assemble(u, positions, hessian);
-    const EnergyGradient by_itself = objective.gradient(u, positions);
+    const auto [energy, gradient] = objective.assemble(u, constraints, hessian);
+    const EnergyGradient by_itself = objective.gradient(u, constraints);
     EXPECT_LT(test::relative_difference(by_itself.gradient, gradient), 1e-14);
-    const double total = objective.value(u, positions).total();
+    const double total = objective.value(u, constraints).total();
     EXPECT_NEAR(energy.total(), total, 1e-13 * total);
     EXPECT_NEAR(by_itself.energy.total(), total, 1e-13 * total);
     const Eigen::MatrixXd numeric_gradient = test::finite_difference(
         [&](const Eigen::VectorXd& y) {
-          return Eigen::VectorXd::Constant(1, objective.value(points(y), positions).total());
+          return Eigen::VectorXd::Constant(1, objective.value(points(y), constraints).total());
         },
         x, 1e-4);
     const Eigen::MatrixXd numeric_hessian = test::finite_difference(
-        [&](const Eigen::VectorXd& y) { return objective.gradient(points(y), positions).gradient; },
+        [&](const Eigen::VectorXd& y) { return objective.gradient(points(y), constraints).gradient; },
         x, 1e-4);
     EXPECT_LT(test::relative_difference(numeric_gradient.transpose(), gradient), 1e-6);
     EXPECT_LT(test::relative_difference(numeric_hessian, test::dense(hessian)), 1e-6);
@@ -70,14 +70,14 @@ TEST_P(ObjectiveTest, GradientAndHessianAgreeWithFiniteDifferences) {
 TEST_P(ObjectiveTest, SplittingATriangleDoesNotChangeTheWeightedDistortion) {
   const auto f = test::square_grid(3);
   MeshPair mesh(f.triangles, f.rest, shaken(f.rest, 5));
-  const Positions positions = corner_handles(f.rest);
+  const Constraints constraints = corner_handles(f.rest);
   const EnergySettings settings{&GetParam(), 3.0, 0.7, 1e-2, true};
   const double before =
-      Objective(settings, mesh, positions).value(mesh.deformed(), positions).distortion;
+      Objective(settings, mesh, constraints).value(mesh.deformed(), constraints).distortion;
   mesh.split_triangle(3, {0.2, 0.5, 0.3});
   mesh.split_edge(7, 0.3);
   const double after =
-      Objective(settings, mesh, positions).value(mesh.deformed(), positions).distortion;
+      Objective(settings, mesh, constraints).value(mesh.deformed(), constraints).distortion;
   EXPECT_NEAR(after, before, 1e-12 * before);
 }
 
@@ -92,19 +92,19 @@ INSTANTIATE_TEST_SUITE_P(Densities, ObjectiveTest,
 TEST(Objective, IsInfiniteOutsideTheFeasibleSetEvenWithoutABarrier) {
   const auto f = test::hexagon();
   const MeshPair mesh(f.triangles, f.rest);
-  const Positions positions = positions_of({Handle{.vertex = 1, .target = f.rest.col(1)}});
-  const Objective objective({find_density("arap"), 1, 0, 1e-3, true}, mesh, positions);
+  const Constraints constraints = constraints_of({Handle{.vertex = 1, .target = f.rest.col(1)}});
+  const Objective objective({find_density("arap"), 1, 0, 1e-3, true}, mesh, constraints);
   Points u = f.rest;
   u.col(0) = Vec2(2, 0);
-  EXPECT_TRUE(std::isinf(objective.value(u, positions).total()));
+  EXPECT_TRUE(std::isinf(objective.value(u, constraints).total()));
 }
 
 TEST(Objective, TheStepBoundIsWhereTheFirstTriangleReachesItsSmallestArea) {
   const auto f = test::hexagon();
   const MeshPair mesh(f.triangles, f.rest);
-  const Positions positions = positions_of({Handle{.vertex = 1, .target = f.rest.col(1)}});
+  const Constraints constraints = constraints_of({Handle{.vertex = 1, .target = f.rest.col(1)}});
   const double delta = 0.1;
-  const Objective objective({find_density("arap"), 1, 0.01, delta, true}, mesh, positions);
+  const Objective objective({find_density("arap"), 1, 0.01, delta, true}, mesh, constraints);
   Points step = Points::Zero(2, 7);
   step.col(0) = Vec2(0, 1);
   // The height of the triangle above shrinks from √3/2; its area bound is δ of it.
@@ -125,16 +125,16 @@ TEST(Unknowns, ComponentsWithoutAHandleAndUnusedVerticesStay) {
   EXPECT_EQ(unknowns.node_of_vertex[6], -1);
 }
 
-TEST(Positions, SoftHandlesPullButDoNotCount) {
+TEST(Constraints, SoftHandlesPullButDoNotCount) {
   Points u(2, 2);
   u << 0, 1,  //
       0, 1;
-  const Positions positions = positions_of(
+  const Constraints constraints = constraints_of(
       {Handle{.vertex = 0, .target = Vec2(3, 4)},
        Handle{.vertex = 1, .target = Vec2(1, 2), .kind = HandleKind::soft, .weight = 2}});
-  EXPECT_DOUBLE_EQ(penalty(positions, u), 25 + 2);
-  EXPECT_DOUBLE_EQ(handle_error_squared(positions, u), 25);
-  EXPECT_DOUBLE_EQ(penalty(held_where_they_are(positions, u), u), 0);
+  EXPECT_DOUBLE_EQ(penalty(constraints, u), 25 + 2);
+  EXPECT_DOUBLE_EQ(handle_error_squared(constraints, u), 25);
+  EXPECT_DOUBLE_EQ(penalty(held_where_they_are(constraints, u), u), 0);
 }
 
 }  // namespace

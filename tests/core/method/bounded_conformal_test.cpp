@@ -20,15 +20,15 @@ Problem with(Problem problem, StartFrames start, double K) {
   return problem;
 }
 
-void expect_bounded_map(const Method& method, const Positions& positions, double K) {
+void expect_bounded_map(const Method& method, const Constraints& constraints, double K) {
   const MeshPair& mesh = method.mesh();
   EXPECT_TRUE(is_injective(mesh.triangles(), mesh.deformed()));
   const Quality quality = quality_of(mesh.triangles(), mesh.rest(), mesh.deformed());
   EXPECT_LE(quality.max_conformal_distortion, K * (1 + 1e-4));
   const double diagonal = bounding_box_diagonal(mesh.rest());
-  for (int i = 0; i < positions.count(); ++i)
-    EXPECT_LT((mesh.deformed().col(positions.vertices[static_cast<std::size_t>(i)]) -
-               positions.targets.col(i))
+  for (int i = 0; i < constraints.count(); ++i)
+    EXPECT_LT((mesh.deformed().col(constraints.vertices[static_cast<std::size_t>(i)]) -
+               constraints.targets.col(i))
                   .norm(),
               1e-6 * diagonal);
 }
@@ -43,7 +43,7 @@ TEST(BoundedConformal, MeetsTheHandlesWithinTheBoundFromEveryStart) {
       const Iteration last = run_to_its_end(method);
       EXPECT_EQ(method.outcome(), Outcome::step);
       EXPECT_EQ(method.verdict(), "");
-      expect_bounded_map(method, positions_of(problem.handles), 3);
+      expect_bounded_map(method, constraints_of(problem.handles), 3);
       EXPECT_EQ(last.penalty_energy, 0);
       EXPECT_EQ(last.flips, 0);
     }
@@ -61,7 +61,7 @@ TEST(BoundedConformal, ContinuationTurnsFartherThanGivenFramesWhichAreProvedInfe
   BoundedConformal method(with(disk, StartFrames::continuation, 60));
   run_to_its_end(method);
   EXPECT_EQ(method.outcome(), Outcome::step);
-  expect_bounded_map(method, positions_of(disk.handles), 60);
+  expect_bounded_map(method, constraints_of(disk.handles), 60);
 }
 
 TEST(BoundedConformal, EveryMapOfTheContinuationIsInjectiveAndImprovingNeverRaisesTheEnergy) {
@@ -85,7 +85,7 @@ TEST(BoundedConformal, AHalfTurnIsReachedAlongASimilarity) {
   BoundedConformal method(with(disk, StartFrames::continuation, 200));
   run_to_its_end(method);
   EXPECT_EQ(method.outcome(), Outcome::step);
-  expect_bounded_map(method, positions_of(disk.handles), 200);
+  expect_bounded_map(method, constraints_of(disk.handles), 200);
 }
 
 TEST(BoundedConformal, WhatIsOutOfReachEndsWithHowFarItCame) {
@@ -154,13 +154,13 @@ TEST(BoundedConformal, ACancelledStepChangesNothingAndMovedTargetsBeginFromTheMa
   EXPECT_EQ(method.mesh().deformed(), before);
   run_to_its_end(method);
   problem.handles[3].target += Vec2(0, 0.1);
-  const Positions positions = positions_of(problem.handles);
+  const Constraints constraints = constraints_of(problem.handles);
   const Points reached = method.mesh().deformed();
-  method.set_targets(positions.targets);
+  method.set_targets(constraints.targets);
   EXPECT_FALSE(method.outcome());
   EXPECT_EQ(method.mesh().deformed(), reached);
   run_to_its_end(method);
-  expect_bounded_map(method, positions, 100);
+  expect_bounded_map(method, constraints, 100);
 }
 
 }  // namespace

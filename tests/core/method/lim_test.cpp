@@ -93,7 +93,7 @@ TEST(Lim, ACancelledStepChangesNothingAndTheRunCanGoOn) {
 
 TEST(Lim, MovedTargetsBeginTheRunAgainFromWhereItIs) {
   Problem problem = pulled_grid("arap", Vec2(0.1, 0));
-  Points targets = positions_of(problem.handles).targets;
+  Points targets = constraints_of(problem.handles).targets;
   Lim method(std::move(problem));
   run_to_its_end(method);
   ASSERT_TRUE(method.outcome());

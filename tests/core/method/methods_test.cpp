@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/energy/densities.h"
-#include "core/method/foldless.h"
+#include "core/method/foldless/foldless.h"
 #include "core/scene/parameter_keys.h"
 
 namespace foldless {

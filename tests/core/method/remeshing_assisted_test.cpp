@@ -118,7 +118,7 @@ TEST(RemeshingAssisted, ACancelledStepChangesNothingAndTheRunCanGoOn) {
 
 TEST(RemeshingAssisted, MovedTargetsBeginTheRunAgainFromWhereItIs) {
   Problem problem = pulled_grid("arap", Vec2(0.1, 0));
-  Points targets = positions_of(problem.handles).targets;
+  Points targets = constraints_of(problem.handles).targets;
   RemeshingAssisted method(std::move(problem), {.flips = true});
   run_to_its_end(method);
   ASSERT_TRUE(method.outcome());

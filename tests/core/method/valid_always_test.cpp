@@ -31,39 +31,39 @@ void expect_valid_between(const MeshPair& mesh, const Points& from, const Points
 struct CheckedRun {
   explicit CheckedRun(const Problem& problem)
       : mesh(problem.mesh),
-        positions(positions_of(problem.handles)),
-        system(energy_settings(problem), mesh, positions),
+        constraints(constraints_of(problem.handles)),
+        system(energy_settings(problem), mesh, constraints),
         settings{energy_settings(problem), problem.parameters.eta, true},
         area(rest_area(mesh)) {}
 
   void update() {
     const Points before = mesh.deformed();
-    update_vertices(system, mesh, positions, {});
+    update_vertices(system, mesh, constraints, {});
     expect_valid_between(mesh, before, mesh.deformed());
   }
 
   void relax() {
     for (int i = 0; i < kRelaxations; ++i) {
       const Points before = mesh.deformed();
-      if (!relax_vertices(system, mesh, positions, {})) return;
+      if (!relax_vertices(system, mesh, constraints, {})) return;
       expect_valid_between(mesh, before, mesh.deformed());
     }
   }
 
   void flip() {
-    const EnergyTerms before = system.objective().value(mesh.deformed(), positions);
+    const EnergyTerms before = system.objective().value(mesh.deformed(), constraints);
     const int flips = flip_edges(mesh, system.objective().unknowns(), settings);
     if (flips == 0) return;
     flipped += flips;
     system.take_flips(mesh, flips);
-    const EnergyTerms after = system.objective().value(mesh.deformed(), positions);
+    const EnergyTerms after = system.objective().value(mesh.deformed(), constraints);
     EXPECT_LE(after.distortion + after.barrier, before.distortion + before.barrier);
     EXPECT_NEAR(rest_area(mesh), area, 1e-12 * area);
     ASSERT_TRUE(is_injective(mesh.triangles(), mesh.rest(), mesh.deformed()));
   }
 
   MeshPair mesh;
-  Positions positions;
+  Constraints constraints;
   NewtonSystem system;
   FlipSettings settings;
   double area;

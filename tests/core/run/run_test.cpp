@@ -5,11 +5,11 @@
 
 #include <random>
 
-#include "core/energy/positions.h"
+#include "core/energy/constraints.h"
 #include "core/error.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
-#include "core/method/foldless.h"
+#include "core/method/foldless/foldless.h"
 #include "tests/core/run/run_fixture.h"
 
 namespace foldless {
@@ -125,7 +125,7 @@ TEST(Run, RecordsAgreeWithTheSnapshot) {
   foldless::Run run(placed(grid_problem(5, Vec2(4.5, 5)), 37.5, Vec2(-2, 8)));
   while (const auto record = run.step({})) {
     const Snapshot& now = *run.snapshot();
-    const double error = handle_error_squared(positions_of(now.handles), now.deformed);
+    const double error = handle_error_squared(constraints_of(now.handles), now.deformed);
     EXPECT_NEAR(record->handle_error_squared, error, 1e-9 * error + 1e-18 * 37.5 * 37.5);
     const Quality quality = quality_of(*now.triangles, *now.rest, now.deformed);
     EXPECT_NEAR(record->min_area_ratio, quality.min_area_ratio, 1e-9);

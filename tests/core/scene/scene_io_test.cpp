@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/energy/densities.h"
 #include "core/mesh/injective.h"
 #include "tests/core/scene/scene_fixture.h"

@@ -18,45 +18,45 @@ struct Carried {
     Handle fixed{.id = 0, .vertex = 0, .target = f.rest.col(0)};
     Handle moved{.id = 1, .vertex = 8, .target = f.rest.col(8) + way};
     Handle soft{.id = 2, .vertex = 4, .target = f.rest.col(4), .kind = HandleKind::soft};
-    positions = positions_of({fixed, moved, soft});
-    positions.held = true;
+    constraints = constraints_of({fixed, moved, soft});
+    constraints.held = true;
     settings.density = find_density(energy);
     settings.alpha = 0.3;
     settings.beta = beta;
   }
 
   MeshPair mesh;
-  Positions positions;
+  Constraints constraints;
   EnergySettings settings;
 };
 
 TEST(CarryHandles, AFullStepPutsThemExactlyOnTheirTargetsInOneFactorization) {
   Carried c("arap", 2, {0.07, -0.03});
-  NewtonSystem system(c.settings, c.mesh, c.positions);
-  const VertexUpdate update = carry_handles(system, c.mesh, c.positions, {});
+  NewtonSystem system(c.settings, c.mesh, c.constraints);
+  const VertexUpdate update = carry_handles(system, c.mesh, c.constraints, {});
   EXPECT_EQ(update.step_length, 1);
   EXPECT_EQ(system.counters.factorizations, 1);
-  EXPECT_EQ(handle_error_squared(c.positions, c.mesh.deformed()), 0);
+  EXPECT_EQ(handle_error_squared(c.constraints, c.mesh.deformed()), 0);
 }
 
 TEST(CarryHandles, TheOthersAreAtTheMinimumAfterOneStepWhereTheEnergyIsQuadratic) {
   Carried c("dirichlet", 0, {0.3, 0.2});
-  NewtonSystem system(c.settings, c.mesh, c.positions);
+  NewtonSystem system(c.settings, c.mesh, c.constraints);
   Points only_handles_moved = c.mesh.deformed();
-  only_handles_moved.col(8) = c.positions.targets.col(1);
-  system.assemble_gradient(only_handles_moved, c.positions);
+  only_handles_moved.col(8) = c.constraints.targets.col(1);
+  system.assemble_gradient(only_handles_moved, c.constraints);
   ASSERT_GT(system.gradient().norm(), 0.1) << "the claim would be empty";
-  ASSERT_EQ(carry_handles(system, c.mesh, c.positions, {}).step_length, 1);
-  system.assemble_gradient(c.mesh.deformed(), c.positions);
+  ASSERT_EQ(carry_handles(system, c.mesh, c.constraints, {}).step_length, 1);
+  system.assemble_gradient(c.mesh.deformed(), c.constraints);
   // The shift of the clamped ∇²E is what is left.
   EXPECT_LT(system.gradient().norm(), 1e-8);
 }
 
 TEST(CarryHandles, AStepIsBoundedAlongItsLineAndTheHandlesGoThatPartOfTheirWay) {
   Carried c("arap", 2, {-3, -3});
-  NewtonSystem system(c.settings, c.mesh, c.positions);
+  NewtonSystem system(c.settings, c.mesh, c.constraints);
   const Points before = c.mesh.deformed();
-  const VertexUpdate update = carry_handles(system, c.mesh, c.positions, {});
+  const VertexUpdate update = carry_handles(system, c.mesh, c.constraints, {});
   EXPECT_GT(update.step_length, 0);
   EXPECT_LT(update.step_length, 1);
   const Vec2 moved = c.mesh.deformed().col(8) - before.col(8);
@@ -68,11 +68,11 @@ TEST(CarryHandles, AStepIsBoundedAlongItsLineAndTheHandlesGoThatPartOfTheirWay) 
 
 TEST(CarryHandles, CancelledChangesNothing) {
   Carried c("arap", 2, {0.07, -0.03});
-  NewtonSystem system(c.settings, c.mesh, c.positions);
+  NewtonSystem system(c.settings, c.mesh, c.constraints);
   std::stop_source stopped;
   stopped.request_stop();
   const Points before = c.mesh.deformed();
-  EXPECT_TRUE(carry_handles(system, c.mesh, c.positions, stopped.get_token()).cancelled);
+  EXPECT_TRUE(carry_handles(system, c.mesh, c.constraints, stopped.get_token()).cancelled);
   EXPECT_EQ(c.mesh.deformed(), before);
 }
 

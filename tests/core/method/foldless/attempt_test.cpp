@@ -25,8 +25,8 @@ Progress run_to_its_end(Attempt& attempt) {
 }
 
 Attempt all_together(const Workspace& workspace, bool is_persistent) {
-  const Points starts = held_where_they_are(workspace.positions, workspace.mesh.deformed()).targets;
-  const TransportPlan plan = transport_plans(starts, workspace.positions.targets, 0).front();
+  const Points starts = held_where_they_are(workspace.constraints, workspace.mesh.deformed()).targets;
+  const TransportPlan plan = transport_plans(starts, workspace.constraints.targets, 0).front();
   return Attempt::transport(workspace, workspace.system.objective().settings(), plan,
                             is_persistent);
 }

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "core/method/foldless.h"
+#include "core/method/foldless/foldless.h"
 #include "tests/core/method/method_fixture.h"
 #include "tests/support/valid_pair.h"
 
@@ -209,7 +209,7 @@ TEST(Coarse, NewTargetsArePursuedFromTheMeshAsItIs) {
   ASSERT_EQ(method.step({})->phase, Phase::coarse);
   for (Handle& handle : problem.handles)
     handle.target = problem.mesh.rest().col(handle.vertex) * 1.1;
-  method.set_targets(positions_of(problem.handles).targets);
+  method.set_targets(constraints_of(problem.handles).targets);
   EXPECT_EQ(run(method).steps(Phase::coarse), 0);
   expect_on_target(method, problem);
 }

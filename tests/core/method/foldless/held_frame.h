@@ -32,11 +32,11 @@ inline Workspace held_frame(std::uint64_t seed) {
     handles.push_back(
         {.id = inside[i], .vertex = inside[i], .target = shape.rest.col(inside[(i + 1) % 4])});
   const MeshPair mesh(shape.triangles, shape.rest);
-  Positions positions = positions_of(handles);
+  Constraints constraints = constraints_of(handles);
   EnergySettings energy{.density = find_density("arap"), .beta = 2, .delta = 1e-5};
   energy.barrier_area_weighted = true;
-  NewtonSystem system(energy, mesh, positions);
-  Workspace workspace{mesh, std::move(positions), std::move(system), 1e-3, true};
+  NewtonSystem system(energy, mesh, constraints);
+  Workspace workspace{mesh, std::move(constraints), std::move(system), 1e-3, true};
   for (const Handle& handle : handles)
     if (handle.target == shape.rest.col(handle.vertex))
       workspace.fixed_boundary.push_back(handle.vertex);

@@ -27,8 +27,8 @@ std::string said_of(const MeshPair& mesh, const std::vector<int>& inside, const 
   for (const int v : inside) add(v);
   for (int v = 0; v < mesh.vertex_count(); ++v)
     if (mesh.is_boundary_vertex(v)) add(v);
-  const Positions positions = positions_of(handles);
-  return why_infeasible(held_regions(mesh, positions), positions).value_or("");
+  const Constraints constraints = constraints_of(handles);
+  return why_infeasible(held_regions(mesh, constraints), constraints).value_or("");
 }
 
 /// Vertices (i, j) of [0, 3]² with index 4 j + i; 5, 6, 9 and 10 are inside.
@@ -101,8 +101,8 @@ TEST(WhyInfeasible, NothingIsSaidWhereAVertexOfTheBoundaryIsFreeOrSoft) {
     if (mesh.is_boundary_vertex(v))
       handles.push_back({.id = v + 1, .vertex = v, .target = mesh.rest().col(v)});
   const auto said = [&] {
-    const Positions positions = positions_of(handles);
-    return why_infeasible(held_regions(mesh, positions), positions).has_value();
+    const Constraints constraints = constraints_of(handles);
+    return why_infeasible(held_regions(mesh, constraints), constraints).has_value();
   };
   EXPECT_TRUE(said());
   handles.back().kind = HandleKind::soft;

@@ -18,8 +18,8 @@ EnergySettings energy_of(const Workspace& workspace) {
 }
 
 std::size_t first_plans(const Workspace& workspace) {
-  const Points starts = held_where_they_are(workspace.positions, workspace.mesh.deformed()).targets;
-  return transport_plans(starts, workspace.positions.targets, 0).size();
+  const Points starts = held_where_they_are(workspace.constraints, workspace.mesh.deformed()).targets;
+  return transport_plans(starts, workspace.constraints.targets, 0).size();
 }
 
 /// The numbers of triangles that the ways begin with.
@@ -58,8 +58,8 @@ TEST(OtherWays, GoOnFromTheNearestLockAfterTheFirstTransports) {
   Workspace near = workspace;
   near.split_edges({{24, Vec2(1, 0)}});  // to tell it from the other
   ASSERT_GT(near.mesh.face_count(), far.mesh.face_count());
-  near.positions.targets = 0.9 * near.positions.targets +
-                           0.1 * held_where_they_are(far.positions, far.mesh.deformed()).targets;
+  near.constraints.targets = 0.9 * near.constraints.targets +
+                           0.1 * held_where_they_are(far.constraints, far.mesh.deformed()).targets;
   ASSERT_LT(near.error(), far.error());
   ways.take_locked(near);
   ways.take_locked(far);

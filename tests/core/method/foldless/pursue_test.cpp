@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "core/method/foldless.h"
+#include "core/method/foldless/foldless.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/valid_pair.h"
 

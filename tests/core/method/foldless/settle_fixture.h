@@ -17,18 +17,18 @@ inline Workspace arrived_workspace(std::uint64_t seed, int splits = 0) {
   MeshPair& mesh = problem.mesh;
   for (int k = 0; k < splits; ++k)
     mesh.split_edge(static_cast<int>(random() % static_cast<unsigned>(mesh.edge_count())), 0.4);
-  Positions positions = positions_of(problem.handles);
+  Constraints constraints = constraints_of(problem.handles);
   EnergySettings energy{.density = problem.energy, .beta = 2, .delta = 1e-5};
   energy.barrier_area_weighted = true;
-  NewtonSystem system(energy, mesh, positions);
+  NewtonSystem system(energy, mesh, constraints);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     Points step = Points::Zero(2, mesh.vertex_count());
     step.col(v) = 0.3 * Vec2(unit(random) - 0.5, unit(random) - 0.5);
     const double largest = system.objective().largest_step(mesh.deformed(), step);
     mesh.set_deformed(mesh.deformed() + std::min(1.0, 0.7 * largest) * step);
   }
-  positions = held_where_they_are(positions, mesh.deformed());
-  return {mesh, std::move(positions), std::move(system), problem.parameters.eta, true};
+  constraints = held_where_they_are(constraints, mesh.deformed());
+  return {mesh, std::move(constraints), std::move(system), problem.parameters.eta, true};
 }
 
 }  // namespace foldless::test

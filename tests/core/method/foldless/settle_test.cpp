@@ -79,11 +79,11 @@ Workspace crushed_workspace(double height) {
   const Vec2 foot = 0.5 * (rest.col(39) + rest.col(49));
   rest.col(40) = foot + height * (rest.col(40) - foot);
   const MeshPair mesh(shape.triangles, rest, shape.rest);
-  Positions positions = held_where_they_are(
-      positions_of({{.id = 0, .vertex = 0}, {.id = 1, .vertex = 80}}), mesh.deformed());
+  Constraints constraints = held_where_they_are(
+      constraints_of({{.id = 0, .vertex = 0}, {.id = 1, .vertex = 80}}), mesh.deformed());
   EnergySettings energy{.density = find_density("green-strain"), .beta = 2, .delta = 1e-12};
-  NewtonSystem system(energy, mesh, positions);
-  return {mesh, std::move(positions), std::move(system), 1e-3, true};
+  NewtonSystem system(energy, mesh, constraints);
+  return {mesh, std::move(constraints), std::move(system), 1e-3, true};
 }
 
 TEST(Settle, FindsItsWayOutOfTrianglesThatAreNearlyCrushed) {

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
+#include "core/files/mesh_readers.h"
+#include "core/files/text_lines.h"
+#include "core/files/vertex_line.h"
+
+namespace foldless {
+namespace {
+
+/// Lines joined where one ends in a backslash; number() is the first of them.
+class ContinuedLines {
+ public:
+  explicit ContinuedLines(std::string_view text) : lines_(text) {}
+
+  bool next() {
+    if (!lines_.next()) return false;
+    number_ = lines_.number();
+    line_ = lines_.line();
+    if (!line_.ends_with('\\')) return true;
+    joined_.clear();
+    while (line_.ends_with('\\')) {
+      joined_.append(line_.substr(0, line_.size() - 1)).push_back(' ');
+      line_ = lines_.next() ? lines_.line() : std::string_view();
+    }
+    line_ = joined_.append(line_);
+    return true;
+  }
+  std::string_view line() const { return without_comment(line_); }
+  int number() const { return number_; }
+
+ private:
+  TextLines lines_;
+  std::string joined_;
+  std::string_view line_;
+  int number_ = 0;
+};
+
+class ObjReader {
+ public:
+  explicit ObjReader(std::string name) {
+    soup_.source.name = std::move(name);
+    soup_.source.first_index = 1;
+  }
+
+  PolygonSoup read(std::string_view text) {
+    for (ContinuedLines lines(text); lines.next();) {
+      Words words(lines.line());
+      const std::string_view keyword = words.next();
+      if (keyword == "v") read_vertex_line(words, lines.number(), soup_, bad_coordinates_);
+      if (keyword == "f") read_face(words, lines.number());
+    }
+    bad_coordinates_.refuse();
+    bad_corners_.refuse();
+    short_faces_.refuse();
+    bad_references_.refuse();
+    return std::move(soup_);
+  }
+
+ private:
+  void read_face(Words words, int line) {
+    const std::size_t begin = soup_.corners.size();
+    const int f = soup_.face_count();
+    soup_.source.face_lines.push_back(line);
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+      const auto index = parse_integer(word.substr(0, word.find('/')));
+      if (!index)
+        bad_corners_.add([&] {
+          return soup_.source.at_face(f) + " has the corner " + in_quotes(word) +
+                 ", which is not a vertex number";
+        });
+      soup_.corners.push_back(from_zero(index.value_or(1), f));
+    }
+    soup_.end_face();
+    const std::size_t n = soup_.corners.size() - begin;
+    if (n < 3)
+      short_faces_.add([&] { return soup_.source.at_face(f) + " has " + counted(n, "corner"); });
+  }
+
+  /// The index from 0 of a vertex that is counted from 1, or from −1 backwards.
+  int from_zero(int index, int face) {
+    if (index >= 0) return index - 1;
+    const auto known = static_cast<int>(soup_.vertices.size());
+    if (index < -known)
+      bad_references_.add([&] {
+        return soup_.source.at_face(face) + " names vertex " + std::to_string(index) +
+               " from the back, but only " + counted(soup_.vertices.size(), "vertex") +
+               " went before";
+      });
+    return index < -known ? -1 : known + index;
+  }
+
+  PolygonSoup soup_;
+  Offenders bad_coordinates_{"vertex", "a vertex needs two or three numbers: v x y z"};
+  Offenders bad_corners_{"corner", "a face needs vertex numbers: f 1 2 3"};
+  Offenders short_faces_{"face", "a face needs at least three corners"};
+  Offenders bad_references_{"corner", "a face may only name vertices of the mesh"};
+};
+
+}  // namespace
+
+PolygonSoup read_obj(std::string_view text, std::string name) {
+  return ObjReader(std::move(name)).read(text);
+}
+
+}  // namespace foldless

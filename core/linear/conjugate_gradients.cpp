@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/conjugate_gradients.h"
+
+namespace foldless {
+
+ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
+                                              Cholesky& factor,
+                                              const ConjugateGradientSettings& settings) {
+  ConjugateGradientSolution solution{Eigen::VectorXd::Zero(b.size())};
+  Eigen::VectorXd residual = b;
+  Eigen::VectorXd direction = factor.solve(residual);
+  Eigen::VectorXd image(b.size());
+  double norm = residual.dot(direction);
+  double decrease = 0;
+  while (norm > 0) {
+    multiply(A, direction, image);
+    const double curvature = direction.dot(image);
+    if (!(curvature > 0)) {
+      solution.end = ConjugateGradientEnd::indefinite;
+      return solution;
+    }
+    const double length = norm / curvature;
+    const double gain = 0.5 * length * norm;
+    decrease += gain;
+    solution.x += length * direction;
+    if (gain <= settings.least_gain * decrease) return solution;
+    if (++solution.iterations >= settings.most_iterations) {
+      solution.end = ConjugateGradientEnd::slow;
+      return solution;
+    }
+    residual -= length * image;
+    const Eigen::VectorXd next = factor.solve(residual);
+    const double next_norm = residual.dot(next);
+    direction = next + next_norm / norm * direction;
+    norm = next_norm;
+  }
+  return solution;
+}
+
+}  // namespace foldless

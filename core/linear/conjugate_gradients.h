@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/linear/sparse_symmetric.h"
+#include "core/linear/cholesky.h"
+
+namespace foldless {
+
+/// When conjugate_gradients() ends.
+struct ConjugateGradientSettings {
+  double least_gain = 0;  ///< an iteration that lowers ½xᵀAx − bᵀx by less than this part of what
+                          ///< all did is the last [NS90]
+  int most_iterations = 0;  ///< > 0; the method gives up after so many
+};
+
+/// How conjugate_gradients() ended.
+enum class ConjugateGradientEnd {
+  converged,
+  slow,       ///< gave up
+  indefinite  ///< met a direction p with pᵀAp ≤ 0
+};
+
+/// An approximate solution of A x = b.
+struct ConjugateGradientSolution {
+  Eigen::VectorXd x;  ///< of #rows; bᵀx > 0 unless b = 0 or the first direction was indefinite
+  int iterations = 0;
+  ConjugateGradientEnd end = ConjugateGradientEnd::converged;
+};
+
+/// Solves A x = b by conjugate gradients, preconditioned with the factor that `factor` holds, of a
+/// positive definite matrix that is near A. A solve and a product with A an iteration.
+/// Precondition: factor.has_factor(), of as many rows as A.
+ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
+                                              Cholesky& factor,
+                                              const ConjugateGradientSettings& settings);
+
+}  // namespace foldless

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/sparse_symmetric.h"
+
+#include <algorithm>
+
+namespace foldless {
+namespace {
+
+/// Later neighbours of every node, sorted and without repeats, by counting.
+void make_graph(SparseSymmetric& m, const std::vector<std::pair<int, int>>& edges) {
+  std::vector<int> start(static_cast<std::size_t>(m.nodes) + 1, 0);
+  for (const auto& [a, b] : edges) ++start[static_cast<std::size_t>(std::min(a, b)) + 1];
+  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+  std::vector<int> later(edges.size());
+  std::vector<int> next(start.begin(), start.end() - 1);
+  for (const auto& [a, b] : edges)
+    later[static_cast<std::size_t>(next[static_cast<std::size_t>(std::min(a, b))]++)] =
+        std::max(a, b);
+
+  m.graph_start.assign(1, 0);
+  m.graph.clear();
+  for (int j = 0; j < m.nodes; ++j) {
+    const auto first = later.begin() + start[static_cast<std::size_t>(j)];
+    const auto last = later.begin() + start[static_cast<std::size_t>(j) + 1];
+    std::sort(first, last);
+    m.graph.insert(m.graph.end(), first, std::unique(first, last));
+    m.graph_start.push_back(static_cast<int>(m.graph.size()));
+  }
+}
+
+void make_columns(SparseSymmetric& m) {
+  m.column_start.assign(1, 0);
+  m.row.clear();
+  for (int j = 0; j < m.nodes; ++j)
+    for (int column = 0; column < 2; ++column) {
+      for (int r = column; r < 2; ++r) m.row.push_back(2 * j + r);
+      for (int k = m.graph_start[static_cast<std::size_t>(j)];
+           k < m.graph_start[static_cast<std::size_t>(j) + 1]; ++k) {
+        m.row.push_back(2 * m.graph[static_cast<std::size_t>(k)]);
+        m.row.push_back(2 * m.graph[static_cast<std::size_t>(k)] + 1);
+      }
+      m.column_start.push_back(static_cast<int>(m.row.size()));
+    }
+  m.value.assign(m.row.size(), 0.0);
+}
+
+}  // namespace
+
+SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int>>& edges) {
+  SparseSymmetric m;
+  m.nodes = nodes;
+  make_graph(m, edges);
+  make_columns(m);
+  return m;
+}
+
+BlockPlace find_block(const SparseSymmetric& matrix, int i, int j) {
+  const int first = matrix.column_start[static_cast<std::size_t>(2 * j)];
+  const int second = matrix.column_start[static_cast<std::size_t>(2 * j) + 1];
+  if (i == j) return {first, second};
+  // A vertex has three later neighbours on average: too few for a binary search.
+  const int* const begin =
+      &matrix.graph[static_cast<std::size_t>(matrix.graph_start[static_cast<std::size_t>(j)])];
+  const int* neighbour = begin;
+  while (*neighbour != i) ++neighbour;
+  const int rank = static_cast<int>(neighbour - begin);
+  return {first + 2 + 2 * rank, second + 1 + 2 * rank};
+}
+
+// The two columns of a node have the same rows below their diagonal block.
+void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  y.setZero(A.size());
+  for (int j = 0; j < A.nodes; ++j) {
+    const double* first =
+        &A.value[static_cast<std::size_t>(A.column_start[static_cast<std::size_t>(2 * j)])];
+    const double* second =
+        &A.value[static_cast<std::size_t>(A.column_start[static_cast<std::size_t>(2 * j) + 1])];
+    const double x0 = x[2 * j], x1 = x[2 * j + 1];
+    double y0 = first[0] * x0 + first[1] * x1, y1 = first[1] * x0 + second[0] * x1;
+    first += 2;
+    second += 1;
+    for (int k = A.graph_start[static_cast<std::size_t>(j)];
+         k < A.graph_start[static_cast<std::size_t>(j) + 1]; ++k, first += 2, second += 2) {
+      const int i = 2 * A.graph[static_cast<std::size_t>(k)];
+      y0 += first[0] * x[i] + first[1] * x[i + 1];
+      y1 += second[0] * x[i] + second[1] * x[i + 1];
+      y[i] += first[0] * x0 + second[0] * x1;
+      y[i + 1] += first[1] * x0 + second[1] * x1;
+    }
+    y[2 * j] += y0;
+    y[2 * j + 1] += y1;
+  }
+}
+
+void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,
+               const Eigen::Matrix<double, 6, 6>& block) {
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const int i = nodes[static_cast<std::size_t>(a)];
+      const int j = nodes[static_cast<std::size_t>(b)];
+      if (i < j || j < 0) continue;
+      const BlockPlace place = find_block(matrix, i, j);
+      double* first = &matrix.value[static_cast<std::size_t>(place.first_column)];
+      double* second = &matrix.value[static_cast<std::size_t>(place.second_column)];
+      first[0] += block(2 * a, 2 * b);
+      first[1] += block(2 * a + 1, 2 * b);
+      if (i != j) *second++ += block(2 * a, 2 * b + 1);
+      *second += block(2 * a + 1, 2 * b + 1);
+    }
+}
+
+}  // namespace foldless

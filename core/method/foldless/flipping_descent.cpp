@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/flipping_descent.h"
+
+#include <utility>
+
+namespace foldless {
+namespace flipping_descent {
+
+/// Flipping on every step is slower, never on full steps locks.
+constexpr double kShortStep = 0.5;
+constexpr int kStepsBetweenFlips = 3;
+/// Flips of little gain wait for the end of the descent: each call that flips costs an analysis.
+constexpr double kLeastGainWhileHeld = 2e-3;
+
+}  // namespace flipping_descent
+
+VertexUpdate FlippingDescent::step(Workspace& work, const Energy& energy, std::stop_token token) {
+  using namespace flipping_descent;
+  const VertexUpdate update = descent_.step(work.system, work.mesh, energy, std::move(token));
+  if (update.cancelled) return update;
+  ++steps_since_flips_;
+  if (update.step_length < kShortStep || steps_since_flips_ >= kStepsBetweenFlips) {
+    work.flip_edges(energy.settings, energy.constraints.held ? kLeastGainWhileHeld : 0);
+    steps_since_flips_ = 0;
+  }
+  return update;
+}
+
+void FlippingDescent::flip(Workspace& work, const EnergySettings& energy) {
+  work.flip_edges(energy);
+  steps_since_flips_ = 0;
+}
+
+}  // namespace foldless

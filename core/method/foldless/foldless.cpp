@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/foldless.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/method/foldless/approach.h"
+#include "core/method/foldless/infeasible.h"
+#include "core/method/foldless/pursue.h"
+#include "core/method/foldless/tidy.h"
+#include "core/method/foldless/transport_plans.h"
+#include "core/method/satisfied.h"
+#include "core/multires/prolong.h"
+
+namespace foldless {
+namespace driver {
+
+constexpr double kOffTarget = 1e-6;  ///< [D]
+constexpr int kMostSplitRounds = 3;
+constexpr double kGainOfASplitRound = 0.9;
+/// Of a mesh of at most so many triangles,
+constexpr int kLargestUncrushed = 2000;
+/// so many other ways are tried where triangles are crushed.
+constexpr int kWaysWhenCrushed = 6;
+
+/// Vertices that came with the original mesh stay, and so do those before a handle, whose indices
+/// must not change.
+int first_removable_vertex(const Problem& problem) {
+  int first = problem.original ? problem.original->vertices : problem.mesh.vertex_count();
+  for (const Handle& handle : problem.handles) first = std::max(first, handle.vertex + 1);
+  return first;
+}
+
+RunSettings settings_of(const Problem& problem) {
+  RunSettings settings;
+  settings.energy.density = problem.energy;
+  settings.energy.alpha = problem.parameters.alpha;
+  settings.energy.beta = problem.parameters.beta.value_or(Foldless::kBeta);
+  settings.energy.delta = problem.parameters.delta;
+  settings.energy.barrier_area_weighted = true;
+  settings.eta = problem.parameters.eta;
+  settings.condition_test = problem.parameters.condition_test;
+  settings.diagonal = bounding_box_diagonal(problem.mesh.rest());
+  settings.first_removable = first_removable_vertex(problem);
+  return settings;
+}
+
+/// A step of the run on the coarse mesh.
+struct CoarseStep {
+  std::optional<Iteration> record;
+  bool cancelled = false;
+};
+bool is_cancelled(const CoarseStep& step) { return step.cancelled; }
+
+}  // namespace driver
+
+Foldless::Foldless(Problem problem, const CoarseSettings& dense)
+    : problem_(std::move(problem)),
+      dense_(dense),
+      settings_(driver::settings_of(problem_)),
+      work_(problem_.mesh, constraints_of(problem_.handles), settings_, effort()),
+      regions_(prescribed_regions(problem_.mesh, work_.constraints)) {
+  settings_.fixed_boundary = boundary_vertices(regions_, work_.constraints);
+  begin(solve(Start::problem));
+}
+
+void Foldless::set_targets(const Points& targets) {
+  work_.constraints.targets = targets;
+  verdict_.clear();
+  begin(solve(Start::drag));
+}
+
+Steps<Outcome> Foldless::solve(Start start) {
+  const bool is_drag = start == Start::drag;
+  if (!is_drag && work_.error() > 0) co_await coarse_to_fine();
+
+  Progress progress = Progress::arrived;
+  if (work_.error() > 0) progress = co_await pursue(work_);
+  const bool was_pursuit_locked = progress == Progress::locked;
+
+  // Triangles that a pursuit pressed together lead to poor minima. The mesh of a drag goes on from
+  // where it is, for somebody looks at it.
+  if (progress == Progress::locked) {
+    if (!is_drag) work_.set_mesh(problem_.mesh);
+    progress = co_await approach(work_, FactorUse::lagged);
+  }
+  if (progress == Progress::locked && is_proved_infeasible()) co_return Outcome::infeasible;
+
+  // Once more with the steps of Newton himself: some scenes are reached only so, but hardly those
+  // whose handles turn.
+  if (progress == Progress::locked && !is_drag && !do_handles_turn_together()) {
+    work_.set_mesh(problem_.mesh);
+    progress = co_await approach(work_, FactorUse::own);
+  }
+  if (progress == Progress::locked)
+    progress = co_await split_and_approach(is_drag ? FactorUse::lagged : FactorUse::own);
+
+  OtherWays ways(problem_.mesh, is_drag || !was_pursuit_locked);
+  while (progress == Progress::locked && !ways.have_ended())
+    progress = co_await ways.try_next(work_);
+  if (progress == Progress::locked) co_return Outcome::step;
+
+  co_await tidy(work_);
+  if (!is_drag) co_await uncrush(ways);
+  co_return Outcome::gradient;
+}
+
+// The paper's future work: Newton's steps are spent where they are cheap.
+Steps<> Foldless::coarse_to_fine() {
+  std::optional<CoarseProblem> coarse = coarse_problem(problem_, dense_);
+  if (!coarse) co_return;
+  Foldless run(std::move(coarse->problem), dense_);
+  const Effort before = effort();
+  const auto next = [&run](std::stop_token token) {
+    const std::optional<Iteration> record = run.step(std::move(token));
+    return driver::CoarseStep{record, !record && !run.outcome()};
+  };
+  while (!run.outcome()) {
+    driver::CoarseStep step = co_await vertex_update(next);
+    effort() = before + run.effort();
+    if (!step.record) break;
+    step.record->phase = Phase::coarse;
+    co_yield *step.record;
+  }
+  if (run.outcome() != Outcome::gradient) co_return;
+  std::optional<ProlongedMesh> fine =
+      prolonged({run.mesh(), coarse->vertices}, work_.mesh, settings_.energy);
+  if (!fine) co_return;
+  effort().flips += fine->flips;
+  work_.set_mesh(std::move(fine->mesh));
+}
+
+// The paper's splits, while a round gains a tenth.
+Steps<Progress> Foldless::split_and_approach(FactorUse use) {
+  using namespace driver;
+  double locked_error = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < kMostSplitRounds; ++round) {
+    if (work_.error() >= kGainOfASplitRound * locked_error) break;
+    locked_error = work_.error();
+    if (!split_at_handles()) break;
+    ++effort().rounds;
+    const Progress progress = co_await approach(work_, use);
+    if (progress == Progress::arrived) co_return progress;
+  }
+  co_return Progress::locked;
+}
+
+// Where triangles are crushed another way may end in a better mesh; the best one stays.
+Steps<> Foldless::uncrush(OtherWays& ways) {
+  using namespace driver;
+  if (problem_.mesh.face_count() > kLargestUncrushed || !is_crushed(work_.mesh)) co_return;
+  Workspace best = work_;
+  for (int i = 0; i < kWaysWhenCrushed && !ways.have_ended() && is_crushed(work_.mesh); ++i) {
+    const Progress progress = co_await ways.try_next(work_);
+    if (progress == Progress::locked) continue;
+    co_await tidy(work_);
+    if (largest_distortion(work_.mesh) < largest_distortion(best.mesh)) best = work_;
+  }
+  work_ = std::move(best);
+}
+
+bool Foldless::split_at_handles() {
+  std::vector<MovingDirection> directions;
+  for (int i = 0; i < work_.constraints.count(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    const int v = work_.constraints.vertices[row];
+    const Vec2 direction = work_.constraints.targets.col(i) - work_.mesh.deformed().col(v);
+    if (!work_.constraints.soft[row] && direction.norm() > driver::kOffTarget * settings_.diagonal)
+      directions.push_back({v, direction});
+  }
+  return work_.split_edges(directions) > 0;
+}
+
+// Handles within the tolerance of a target that is exactly out of reach are at it.
+bool Foldless::is_proved_infeasible() {
+  if (work_.error() <= kSatisfied * settings_.diagonal * settings_.diagonal) return false;
+  std::optional<std::string> why = why_infeasible(regions_, work_.constraints);
+  if (!why) return false;
+  verdict_ = *std::move(why);
+  return true;
+}
+
+bool Foldless::do_handles_turn_together() const {
+  return turn_together(handle_positions(work_.constraints, problem_.mesh.rest()),
+                       work_.constraints.targets);
+}
+
+}  // namespace foldless

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/prescribed_regions.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/mesh/components.h"
+#include "core/mesh/injective.h"
+
+namespace foldless {
+namespace {
+
+constexpr int kNone = -1;
+
+/// What there is of each vertex.
+struct VertexMarks {
+  std::vector<int> handle;     ///< the one that is not soft, or kNone
+  std::vector<int> component;  ///< the vertex that stands for it
+  std::vector<bool> interior;
+};
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+VertexMarks marks_of(const MeshPair& mesh, const Constraints& constraints) {
+  VertexMarks marks{std::vector<int>(at(mesh.vertex_count()), kNone), components_of(mesh.triangles(), mesh.vertex_count()),
+                    interior_vertices(mesh.triangles(), mesh.vertex_count())};
+  for (int i = 0; i < constraints.count(); ++i)
+    if (!constraints.soft[at(i)]) marks.handle[at(constraints.vertices[at(i)])] = i;
+  return marks;
+}
+
+/// The vertices of every component whose whole boundary is prescribed.
+std::vector<std::vector<int>> prescribed_components(const MeshPair& mesh, const VertexMarks& marks) {
+  std::vector<bool> is_prescribed(marks.component.size(), true);
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    if (!marks.interior[at(v)] && marks.handle[at(v)] == kNone)
+      is_prescribed[at(marks.component[at(v)])] = false;
+  std::vector<std::vector<int>> prescribed;
+  std::vector<int> place(marks.component.size(), kNone);
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const int component = marks.component[at(v)];
+    if (!is_prescribed[at(component)]) continue;
+    if (place[at(component)] == kNone) {
+      place[at(component)] = static_cast<int>(prescribed.size());
+      prescribed.emplace_back();
+    }
+    prescribed[at(place[at(component)])].push_back(v);
+  }
+  return prescribed;
+}
+
+/// The next vertex along the boundary, triangles on the left.
+int next_along_boundary(const MeshPair& mesh, int v) {
+  for (const int t : mesh.triangles_of_vertex(v)) {
+    const Eigen::Vector3i corners = mesh.triangles().col(t);
+    const int corner = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
+    const int next = corners[(corner + 1) % 3];
+    if (mesh.is_boundary_edge(mesh.find_edge(v, next).value())) return next;
+  }
+  return kNone;
+}
+
+std::vector<int> loop_through(const MeshPair& mesh, int start) {
+  std::vector<int> loop{start};
+  for (int v = next_along_boundary(mesh, start); v != start; v = next_along_boundary(mesh, v))
+    loop.push_back(v);
+  return loop;
+}
+
+PrescribedRegion region_of(const MeshPair& mesh, const VertexMarks& marks,
+                     const std::vector<int>& component) {
+  PrescribedRegion region;
+  std::set<int> in_a_loop;
+  std::size_t corners = 0;
+  for (const int v : component) {
+    corners += mesh.triangles_of_vertex(v).size();
+    if (marks.interior[at(v)]) {
+      if (marks.handle[at(v)] != kNone) region.inside.push_back(marks.handle[at(v)]);
+    } else if (!in_a_loop.contains(v)) {
+      std::vector<int>& loop = region.loops.emplace_back(loop_through(mesh, v));
+      in_a_loop.insert(loop.begin(), loop.end());
+      for (int& of_vertex : loop) of_vertex = marks.handle[at(of_vertex)];
+    }
+  }
+  // Triangles have three sides; those at the boundary are on one triangle, the others on two.
+  const std::size_t edges = (corners + in_a_loop.size()) / 2, faces = corners / 3;
+  region.euler_characteristic =
+      static_cast<int>(component.size()) - static_cast<int>(edges) + static_cast<int>(faces);
+  return region;
+}
+
+}  // namespace
+
+std::vector<PrescribedRegion> prescribed_regions(const MeshPair& mesh, const Constraints& constraints) {
+  const VertexMarks marks = marks_of(mesh, constraints);
+  std::vector<PrescribedRegion> regions;
+  for (const std::vector<int>& component : prescribed_components(mesh, marks))
+    regions.push_back(region_of(mesh, marks, component));
+  return regions;
+}
+
+std::vector<int> boundary_vertices(const std::vector<PrescribedRegion>& regions,
+                                   const Constraints& constraints) {
+  std::vector<int> vertices;
+  for (const PrescribedRegion& region : regions)
+    for (const std::vector<int>& loop : region.loops)
+      for (const int handle : loop) vertices.push_back(constraints.vertices[at(handle)]);
+  std::ranges::sort(vertices);
+  return vertices;
+}
+
+}  // namespace foldless

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/multires/insert_edge.h"
+
+#include <deque>
+
+#include "core/mesh/orientation.h"
+#include "core/remesh/diamond_energy.h"
+
+namespace foldless {
+namespace {
+
+/// Height over length below which vertices count as collinear.
+constexpr double kCollinear = 1e-6;
+/// Looks at an edge in the queue, over the square of their number. Random meshes took 1.
+constexpr std::size_t kMostLooks = 4;
+
+/// A piece of the segment that passes through no vertex.
+struct Piece {
+  int end = -1;              ///< the vertex where it ends; −1 where it leaves the domain
+  std::deque<int> crossing;  ///< edges, in order
+};
+
+int third_corner(const MeshPair& mesh, int t, int p, int q) {
+  for (const int v : mesh.triangles().col(t))
+    if (v != p && v != q) return v;
+  return -1;
+}
+
+/// 1 left of the segment from a to b, −1 right of it, 0 nearly on its line.
+int side_of(const Points& rest, int a, int b, int v) {
+  const double twice = 2 * signed_area(rest.col(a), rest.col(b), rest.col(v));
+  const double least = kCollinear * (rest.col(b) - rest.col(a)).squaredNorm();
+  return twice > least ? 1 : twice < -least ? -1 : 0;
+}
+
+bool is_ahead(const Points& rest, int a, int v, int b) {
+  return side_of(rest, a, b, v) == 0 &&
+         (rest.col(v) - rest.col(a)).dot(rest.col(b) - rest.col(a)) > 0;
+}
+
+void walk(const MeshPair& mesh, int a, int b, int t, int p, int q, Piece& piece) {
+  const Points& rest = mesh.rest();
+  for (;;) {
+    const int e = *mesh.find_edge(p, q);
+    if (mesh.is_boundary_edge(e)) return;
+    piece.crossing.push_back(e);
+    const std::vector<int> beside = mesh.triangles_of_edge(e);
+    t = beside[0] == t ? beside[1] : beside[0];
+    const int r = third_corner(mesh, t, p, q);
+    const int side = side_of(rest, a, b, r);
+    if (r == b || side == 0) {
+      piece.end = r;
+      return;
+    }
+    (side < 0 ? p : q) = r;
+  }
+}
+
+/// From a towards b; p is right of the segment, q left.
+Piece first_piece(const MeshPair& mesh, int a, int b) {
+  const Points& rest = mesh.rest();
+  Piece piece;
+  for (const int t : mesh.triangles_of_vertex(a)) {
+    const Eigen::Vector3i corners = mesh.triangles().col(t);
+    const int i = corners[0] == a ? 0 : corners[1] == a ? 1 : 2;
+    const int p = corners[(i + 1) % 3], q = corners[(i + 2) % 3];
+    for (const int v : {p, q})
+      if (v == b || is_ahead(rest, a, v, b)) {
+        piece.end = v;
+        return piece;
+      }
+    if (orientation(rest.col(a), rest.col(p), rest.col(b)) > 0 &&
+        orientation(rest.col(a), rest.col(q), rest.col(b)) < 0) {
+      walk(mesh, a, b, t, p, q, piece);
+      return piece;
+    }
+  }
+  return piece;
+}
+
+bool is_crossed(const Points& rest, int a, int end, int c, int d) {
+  if (c == a || c == end || d == a || d == end) return false;
+  return side_of(rest, a, end, c) * side_of(rest, a, end, d) < 0;
+}
+
+/// Flips until nothing crosses the piece that begins at a, or nothing is gained; returns how often.
+int clear(MeshPair& mesh, int a, Piece& piece) {
+  std::deque<int>& queue = piece.crossing;
+  int flips = 0;
+  for (std::size_t looks = kMostLooks * queue.size() * queue.size(); looks > 0; --looks) {
+    if (queue.empty()) break;
+    const int e = queue.front();
+    queue.pop_front();
+    const Diamond diamond = mesh.diamond(e);
+    const bool flips_now =
+        mesh.is_flip_legal(e) && is_positive_at_rest(mesh, flipped_triangles_of(diamond));
+    if (flips_now) {
+      mesh.flip(e);
+      ++flips;
+    }
+    if (!flips_now || is_crossed(mesh.rest(), a, piece.end, diamond.c, diamond.d))
+      queue.push_back(e);
+  }
+  return flips;
+}
+
+}  // namespace
+
+int insert_edge(MeshPair& mesh, int a, int b) {
+  const auto distance = [&](int v) { return (mesh.rest().col(v) - mesh.rest().col(b)).norm(); };
+  int flips = 0;
+  while (a != b) {
+    Piece piece = first_piece(mesh, a, b);
+    // Where the domain lies over itself a piece may lead to another sheet, past b.
+    if (piece.end < 0 || distance(piece.end) >= distance(a)) break;
+    flips += clear(mesh, a, piece);
+    if (!piece.crossing.empty()) break;
+    a = piece.end;
+  }
+  return flips;
+}
+
+}  // namespace foldless

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/multires/prolong.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/mesh/injective.h"
+#include "core/multires/holding_triangles.h"
+#include "core/multires/insert_edge.h"
+
+namespace foldless {
+namespace {
+
+/// Energy per area of a fine triangle over the most of those coarse ones that hold its corners, or
+/// over the mean, from which it lies across edges that matter.
+constexpr double kLargestRatio = 2;
+/// Energy per area that is none: what rounding makes of the identity is less.
+constexpr double kNoEnergy = 1e-6;
+/// Flips make other triangles lie across other edges.
+constexpr int kMostRounds = 10;
+
+double energy_per_area(const MeshPair& mesh, int t, const EnergySettings& energy) {
+  const Eigen::Vector3i corners = mesh.triangles().col(t);
+  const RestElement rest = reference_element(energy, corners_of(mesh.rest(), corners));
+  return element_energy(energy, rest, corners_of(mesh.deformed(), corners)).total() / rest.area;
+}
+
+/// True when a segment and a triangle have inner points in common.
+bool is_across(const Corners& triangle, const Vec2& a, const Vec2& b) {
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (int corner = 0; corner < 3; ++corner) {
+    const Vec2 p = triangle.col(corner), q = triangle.col((corner + 1) % 3);
+    if (signed_area(p, q, a) <= 0 && signed_area(p, q, b) <= 0) return false;
+    const double side = signed_area(a, b, p);
+    least = std::min(least, side);
+    greatest = std::max(greatest, side);
+  }
+  return least < 0 && greatest > 0;
+}
+
+class Prolongation {
+ public:
+  Prolongation(const CoarseMesh& coarse, const MeshPair& fine, const EnergySettings& energy)
+      : coarse_(coarse),
+        energy_(energy),
+        holding_(holding_triangles(coarse, fine)),
+        is_inserted_(static_cast<std::size_t>(coarse.mesh.edge_count()), false),
+        result_{fine} {
+    double sum = 0;
+    int finite = 0;
+    for (int t = 0; t < coarse.mesh.face_count(); ++t) {
+      per_area_.push_back(energy_per_area(coarse.mesh, t, energy));
+      if (!std::isfinite(per_area_.back())) continue;
+      sum += per_area_.back();
+      ++finite;
+    }
+    mean_ = std::max(kNoEnergy, sum / std::max(1, finite));
+    result_.mesh.set_deformed(positions());
+  }
+
+  std::optional<ProlongedMesh> result() {
+    for (int round = 0; round < kMostRounds; ++round) {
+      const std::vector<int> edges = edges_to_insert();
+      if (edges.empty()) break;
+      for (const int e : edges) insert(e);
+    }
+    if (!is_valid()) return std::nullopt;
+    return std::move(result_);
+  }
+
+ private:
+  int holding(int v) const { return holding_[static_cast<std::size_t>(v)]; }
+
+  Points positions() const {
+    const MeshPair& fine = result_.mesh;
+    Points u = fine.deformed();
+    for (int v = 0; v < fine.vertex_count(); ++v)
+      if (holding(v) >= 0) u.col(v) = place(fine.rest().col(v), holding(v));
+    for (std::size_t i = 0; i < coarse_.vertices.size(); ++i)
+      u.col(coarse_.vertices[i]) = coarse_.mesh.deformed().col(static_cast<Eigen::Index>(i));
+    return u;
+  }
+
+  Vec2 place(const Vec2& p, int triangle) const {
+    const Eigen::Vector3i t = coarse_.mesh.triangles().col(triangle);
+    const Mat2 map = deformation_gradient(coarse_.mesh.rest(), coarse_.mesh.deformed(), t);
+    return coarse_.mesh.deformed().col(t[0]) + map * (p - coarse_.mesh.rest().col(t[0]));
+  }
+
+  /// Infinite only where a coarse triangle is outside of the feasible set, which may be in
+  /// components that do not move.
+  double largest_energy_per_area(int t) const {
+    double largest = mean_;
+    for (const int v : result_.mesh.triangles().col(t))
+      largest = std::max(largest, per_area_[static_cast<std::size_t>(holding(v))]);
+    return kLargestRatio * largest;
+  }
+
+  bool is_valid() const {
+    const MeshPair& mesh = result_.mesh;
+    for (int t = 0; t < mesh.face_count(); ++t)
+      if (std::isfinite(largest_energy_per_area(t)) &&
+          !std::isfinite(energy_per_area(mesh, t, energy_)))
+        return false;
+    return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
+  }
+
+  /// The coarse edges that are not edges of the fine mesh but should be.
+  std::vector<int> edges_to_insert() const {
+    std::vector<int> edges;
+    for (int t = 0; t < result_.mesh.face_count(); ++t)
+      if (energy_per_area(result_.mesh, t, energy_) > largest_energy_per_area(t))
+        add_edges_across(t, edges);
+    std::erase_if(edges, [&](int e) { return is_inserted_[static_cast<std::size_t>(e)]; });
+    return edges;
+  }
+
+  /// The coarse edges that cross a fine triangle, from those round its corners on.
+  void add_edges_across(int t, std::vector<int>& edges) const {
+    const MeshPair& mesh = coarse_.mesh;
+    const Eigen::Vector3i vertices = result_.mesh.triangles().col(t);
+    const Corners corners = corners_of(result_.mesh.rest(), vertices);
+    std::vector<int> seen;
+    const auto see = [&](int triangle) {
+      if (std::ranges::find(seen, triangle) == seen.end()) seen.push_back(triangle);
+    };
+    for (const int v : vertices)
+      for (const int corner : mesh.triangles().col(holding(v)))
+        for (const int triangle : mesh.triangles_of_vertex(corner)) see(triangle);
+    for (std::size_t next = 0; next < seen.size(); ++next)
+      for (const int e : mesh.edges_of_triangle(seen[next])) {
+        const auto [a, b] = mesh.edge(e);
+        if (!is_across(corners, mesh.rest().col(a), mesh.rest().col(b))) continue;
+        edges.push_back(e);
+        for (const int triangle : mesh.triangles_of_edge(e)) see(triangle);
+      }
+  }
+
+  // A vertex that a split made is none of the fine mesh.
+  void insert(int e) {
+    if (is_inserted_[static_cast<std::size_t>(e)]) return;
+    is_inserted_[static_cast<std::size_t>(e)] = true;
+    const auto [a, b] = coarse_.mesh.edge(e);
+    const auto count = static_cast<int>(coarse_.vertices.size());
+    if (a < count && b < count)
+      result_.flips += insert_edge(result_.mesh, coarse_.vertices[static_cast<std::size_t>(a)],
+                                   coarse_.vertices[static_cast<std::size_t>(b)]);
+  }
+
+  const CoarseMesh& coarse_;
+  const EnergySettings& energy_;
+  std::vector<int> holding_;      ///< the coarse triangle of every fine vertex
+  std::vector<double> per_area_;  ///< energy of every coarse triangle over its rest area
+  double mean_ = 0;
+  std::vector<bool> is_inserted_;  ///< by coarse edge
+  ProlongedMesh result_;
+};
+
+}  // namespace
+
+std::optional<ProlongedMesh> prolonged(const CoarseMesh& coarse, const MeshPair& fine,
+                                       const EnergySettings& energy) {
+  return Prolongation(coarse, fine, energy).result();
+}
+
+}  // namespace foldless

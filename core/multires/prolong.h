@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/energy/element.h"
+#include "core/multires/coarsen.h"
+
+namespace foldless {
+
+/// A fine mesh with the map of a coarse one.
+struct ProlongedMesh {
+  MeshPair mesh;
+  int flips = 0;  ///< of edges of the fine mesh
+};
+
+/// The fine mesh under the map of a coarse one over the same rest domain: every vertex goes where
+/// the coarse triangle that holds it at rest takes it. The first vertices of the coarse mesh are
+/// `coarse.vertices` of the fine one and go where they are; edges of the coarse mesh may have been
+/// flipped and split since it was made. Where a fine triangle lies across coarse edges and comes
+/// out folded, or with much more of `energy` than the coarse ones, those edges become edges of the
+/// fine mesh by flips, so that the map is the coarse one there. Nothing when the fine mesh is not
+/// locally injective all the same, or leaves the feasible set, A′ > δA, where the coarse one does
+/// not.
+std::optional<ProlongedMesh> prolonged(const CoarseMesh& coarse, const MeshPair& fine,
+                                       const EnergySettings& energy);
+
+}  // namespace foldless

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solve/descent.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace foldless {
+namespace {
+
+/// Rounding may leave a clamped matrix just short of positive definite, and far from it where
+/// triangles are nearly crushed.
+constexpr double kLeastShift = 1e-9;
+constexpr double kLargestShift = 1e13;
+constexpr double kShiftFactor = 100;
+
+/// After a step shorter than this ∇²E is factorized anew: with an old factor many more such steps
+/// follow, where the map is about to fold.
+constexpr double kShortStep = 0.1;
+
+constexpr int kMostFullStepsWanted = 8;
+constexpr double kFirstPart = 0.5;
+constexpr double kLeastPart = 0.25;
+
+VertexUpdate step_along(const Points& step, NewtonSystem& system, MeshPair& mesh,
+                        const Energy& energy) {
+  const VertexUpdate update = move_along(step, system, mesh, energy);
+  if (update.step_length < kShortStep) system.outdate_factor();
+  return update;
+}
+
+}  // namespace
+
+std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token,
+                                        double last_shift) {
+  for (double mu = std::max(kLeastShift, last_shift / kShiftFactor); mu < kLargestShift;
+       mu *= kShiftFactor) {
+    if (token.stop_requested()) return std::nullopt;
+    if (system.factorize(mu)) return mu;
+  }
+  return std::nullopt;
+}
+
+VertexUpdate Descent::step(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
+                           std::stop_token token) {
+  if (clamping_ < 1) {
+    system.assemble(energy, mesh.deformed(), clamping_);
+    if (const std::optional<Points> step = step_if_definite(system)) {
+      VertexUpdate update = step_along(*step, system, mesh, energy);
+      update.clamping = clamping_;
+      after_partly_clamped(update.step_length);
+      return update;
+    }
+    if (token.stop_requested()) return {.cancelled = true};
+    after_failure();
+  }
+  system.assemble(energy, mesh.deformed(), 1);
+  double mu = 0;
+  std::optional<LaggedStep> step;
+  if (use_ == FactorUse::lagged) step = system.lagged_newton_step();
+  if (!step || step->is_indefinite) {
+    const std::optional<double> shift = factorize_clamped(system, token, last_shift_);
+    if (!shift) return {.cancelled = token.stop_requested()};
+    last_shift_ = mu = *shift;
+    step = LaggedStep{system.newton_step()};
+  }
+  VertexUpdate update = step_along(step->step, system, mesh, energy);
+  update.mu = mu;
+  update.clamping = 1;
+  after_clamped(update.step_length);
+  return update;
+}
+
+/// Nothing where ∇²E as assembled is not positive definite.
+std::optional<Points> Descent::step_if_definite(NewtonSystem& system) const {
+  if (use_ == FactorUse::lagged)
+    if (std::optional<LaggedStep> lagged = system.lagged_newton_step()) {
+      if (lagged->is_indefinite) return std::nullopt;
+      return std::move(lagged->step);
+    }
+  if (!system.factorize(0)) return std::nullopt;
+  return system.newton_step();
+}
+
+void Descent::after_partly_clamped(double step_length) {
+  full_steps_wanted_ = 1;
+  if (step_length == 1) clamping_ = clamping_ > kLeastPart ? clamping_ / 2 : 0;
+}
+
+void Descent::after_failure() {
+  clamping_ = 1;
+  full_steps_ = 0;
+  full_steps_wanted_ = std::min(2 * full_steps_wanted_, kMostFullStepsWanted);
+}
+
+void Descent::after_clamped(double step_length) {
+  full_steps_ = step_length == 1 ? full_steps_ + 1 : 0;
+  if (full_steps_ >= full_steps_wanted_) clamping_ = kFirstPart;
+}
+
+}  // namespace foldless

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/atomic_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "tests/support/errors.h"
+#include "tests/support/temporary_folder.h"
+
+namespace foldless {
+namespace {
+
+namespace fs = std::filesystem;
+using test::error_of;
+using test::TemporaryFolder;
+
+std::ptrdiff_t file_count(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+}
+
+TEST(AtomicFile, ReadsBackEveryByte) {
+  const TemporaryFolder folder;
+  std::string bytes;
+  for (int i = 0; i < 200000; ++i) bytes += static_cast<char>(i * 7);
+  write_file_atomically(folder / "a.bin", bytes);
+  EXPECT_EQ(read_file(folder / "a.bin"), bytes);
+  EXPECT_EQ(file_count(folder.path()), 1);
+}
+
+TEST(AtomicFile, ReplacesTheWholeFileAndKeepsItsPermissions) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a.txt", "a long old text");
+  ::chmod(file.c_str(), 0640);
+  write_file_atomically(file, "new");
+  EXPECT_EQ(read_file(file), "new");
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms(0640));
+}
+
+TEST(AtomicFile, FollowsASymbolicLink) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("a.txt", "old");
+  fs::create_symlink("a.txt", folder / "link");
+  write_file_atomically(folder / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(read_file(file), "new");
+}
+
+TEST(AtomicFile, WritesToADeviceWithoutReplacingIt) {
+  write_file_atomically("/dev/null", "text");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, NamesThePathWhenTheFolderIsMissing) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "no_such_folder/a.txt";
+  const std::string error = error_of([&] { write_file_atomically(file, "text"); });
+  EXPECT_TRUE(error.starts_with(file.string() + ": cannot be written: ")) << error;
+}
+
+TEST(AtomicFile, LeavesNoTemporaryWhenTheTargetIsAFolder) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "a");
+  EXPECT_NE(error_of([&] { write_file_atomically(folder / "a", "text"); }), "");
+  EXPECT_EQ(file_count(folder.path()), 1);
+}
+
+TEST(AtomicFile, NamesThePathOfAFileThatCannotBeRead) {
+  const TemporaryFolder folder;
+  for (const fs::path& file : {folder / "missing", folder.path()}) {
+    const std::string error = error_of([&] { read_file(file); });
+    EXPECT_TRUE(error.starts_with(file.string() + ": cannot be read: ")) << error;
+  }
+}
+
+}  // namespace
+}  // namespace foldless

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/cholesky.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace foldless {
+namespace {
+
+using NodePairs = std::vector<std::pair<int, int>>;
+
+/// The Laplacian of a graph plus `diagonal`, the same for x and y.
+SparseSymmetric laplacian(int nodes, const NodePairs& edges, double diagonal) {
+  SparseSymmetric m = sparse_symmetric(nodes, edges);
+  const auto add = [&m](int i, int j, double value) {
+    const BlockPlace place = find_block(m, i, j);
+    m.value[static_cast<std::size_t>(place.first_column)] += value;
+    m.value[static_cast<std::size_t>(place.second_column) + (i == j ? 0 : 1)] += value;
+  };
+  for (const auto& [a, b] : edges) {
+    add(a, a, 1);
+    add(b, b, 1);
+    add(std::max(a, b), std::min(a, b), -1);
+  }
+  for (int i = 0; i < nodes; ++i) add(i, i, diagonal);
+  return m;
+}
+
+SparseSymmetric ring(int nodes, double diagonal) {
+  NodePairs edges;
+  for (int i = 0; i < nodes; ++i) edges.emplace_back(i, (i + 1) % nodes);
+  return laplacian(nodes, edges, diagonal);
+}
+
+/// A square grid of n × n nodes, whose factor has dense blocks.
+SparseSymmetric laplacian_of_grid(int n) {
+  NodePairs edges;
+  for (int i = 0; i < n * n; ++i) {
+    if (i % n + 1 < n) edges.emplace_back(i, i + 1);
+    if (i + n < n * n) edges.emplace_back(i, i + n);
+  }
+  return laplacian(n * n, edges, 0.1);
+}
+
+Eigen::VectorXd solution_of(const SparseSymmetric& m) {
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  EXPECT_TRUE(cholesky.factorize(m));
+  return cholesky.solve(Eigen::VectorXd::LinSpaced(m.size(), -1, 2));
+}
+
+double residual(const SparseSymmetric& m, double shift, const Eigen::VectorXd& x,
+                const Eigen::VectorXd& b) {
+  Eigen::VectorXd r = b - shift * x;
+  for (int column = 0; column < m.size(); ++column)
+    for (int k = m.column_start[static_cast<std::size_t>(column)];
+         k < m.column_start[static_cast<std::size_t>(column) + 1]; ++k) {
+      const int row = m.row[static_cast<std::size_t>(k)];
+      const double value = m.value[static_cast<std::size_t>(k)];
+      r[row] -= value * x[column];
+      if (row != column) r[column] -= value * x[row];
+    }
+  return r.norm() / b.norm();
+}
+
+TEST(Cholesky, TwoLargeSolvesAtOnceDoNotDisturbEachOther) {
+  const SparseSymmetric m = laplacian_of_grid(50);
+  ASSERT_GE(m.size(), Cholesky::kSupernodalFrom);
+  const Eigen::VectorXd alone = solution_of(m);
+  std::array<int, 2> spoilt{};
+  {
+    std::vector<std::jthread> solvers;
+    for (int& count : spoilt)
+      solvers.emplace_back([&] {
+        for (int k = 0; k < 20; ++k) count += solution_of(m) != alone;
+      });
+  }
+  EXPECT_EQ(spoilt, (std::array<int, 2>{}));
+}
+
+// Both sizes: the simplicial and the supernodal factorization.
+class CholeskyTest : public testing::TestWithParam<int> {};
+
+TEST_P(CholeskyTest, SolvesShiftedSystems) {
+  const SparseSymmetric m = ring(GetParam(), 0.5);
+  Cholesky cholesky;
+  EXPECT_FALSE(cholesky.is_analyzed());
+  cholesky.analyze(m);
+  for (const double shift : {0.0, 10.0}) {
+    ASSERT_TRUE(cholesky.factorize(m, shift));
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+    EXPECT_LT(residual(m, shift, cholesky.solve(b), b), 1e-12);
+  }
+}
+
+TEST_P(CholeskyTest, SaysWhenAMatrixIsNotPositiveDefiniteAndGoesOn) {
+  const SparseSymmetric m = ring(GetParam(), -0.5);
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  EXPECT_FALSE(cholesky.factorize(m));
+  EXPECT_FALSE(cholesky.has_factor());
+  ASSERT_TRUE(cholesky.factorize(m, 1));
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(m.size());
+  EXPECT_LT(residual(m, 1, cholesky.solve(b), b), 1e-12);
+}
+
+TEST_P(CholeskyTest, AnOrderingServesAnotherPatternOfTheSameSize) {
+  Cholesky cholesky;
+  cholesky.analyze(ring(GetParam(), 1));
+  std::vector<std::pair<int, int>> edges{{0, GetParam() - 1}, {0, GetParam() / 2}};
+  for (int i = 0; i + 1 < GetParam(); ++i) edges.emplace_back(i, i + 1);
+  SparseSymmetric m = sparse_symmetric(GetParam(), edges);
+  for (int i = 0; i < m.nodes; ++i) {
+    const BlockPlace place = find_block(m, i, i);
+    m.value[static_cast<std::size_t>(place.first_column)] = 2;
+    m.value[static_cast<std::size_t>(place.second_column)] = 4;
+  }
+  cholesky.analyze(m, true);
+  ASSERT_TRUE(cholesky.factorize(m));
+  const Eigen::VectorXd x = cholesky.solve(Eigen::VectorXd::Ones(m.size()));
+  EXPECT_NEAR(x[0], 0.5, 1e-15);
+  EXPECT_NEAR(x[1], 0.25, 1e-15);
+}
+
+TEST_P(CholeskyTest, ACopyHasTheFactor) {
+  const SparseSymmetric m = ring(GetParam(), 1);
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  ASSERT_TRUE(cholesky.factorize(m));
+  Cholesky copy = cholesky;
+  ASSERT_TRUE(copy.has_factor());
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(m.size());
+  EXPECT_EQ(copy.solve(b), cholesky.solve(b));
+  ASSERT_TRUE(copy.factorize(m, 3));
+  EXPECT_LT(residual(m, 3, copy.solve(b), b), 1e-12);
+  EXPECT_LT(residual(m, 0, cholesky.solve(b), b), 1e-12) << "the original's is its own";
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, CholeskyTest, testing::Values(7, 3000));
+
+}  // namespace
+}  // namespace foldless

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/conjugate_gradients.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "tests/support/dense_matrix.h"
+
+namespace foldless {
+namespace {
+
+constexpr double kLeastGain = 1e-14;
+
+/// Random blocks on the edges of a random graph, dominated by the diagonal.
+SparseSymmetric random_matrix(int nodes, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> node(0, nodes - 1);
+  std::vector<std::pair<int, int>> edges;
+  for (int i = 0; i + 1 < nodes; ++i) edges.emplace_back(i, i + 1);
+  for (int i = 0; i < 2 * nodes; ++i) {
+    const int a = node(random), b = node(random);
+    if (a != b) edges.emplace_back(a, b);
+  }
+  SparseSymmetric m = sparse_symmetric(nodes, edges);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (double& value : m.value) value = unit(random);
+  for (int i = 0; i < m.size(); ++i)
+    m.value[static_cast<std::size_t>(m.column_start[static_cast<std::size_t>(i)])] += 30;
+  return m;
+}
+
+/// Adds to the diagonal, here more and there less.
+SparseSymmetric changed(SparseSymmetric m, double by) {
+  for (int i = 0; i < m.size(); ++i)
+    m.value[static_cast<std::size_t>(m.column_start[static_cast<std::size_t>(i)])] +=
+        by * (1 + i % 5);
+  return m;
+}
+
+Cholesky factor_of(const SparseSymmetric& m) {
+  Cholesky factor;
+  factor.analyze(m);
+  EXPECT_TRUE(factor.factorize(m));
+  return factor;
+}
+
+TEST(Multiply, IsTheProductOfTheWholeMatrix) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    const SparseSymmetric m = random_matrix(20, seed);
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+    Eigen::VectorXd y;
+    multiply(m, x, y);
+    EXPECT_LT((y - test::dense(m) * x).norm(), 1e-12);
+  }
+}
+
+// Both sizes: the simplicial and the supernodal factorization.
+class ConjugateGradientsTest : public testing::TestWithParam<int> {};
+
+TEST_P(ConjugateGradientsTest, SolveWithTheFactorOfANearMatrix) {
+  for (const unsigned seed : {4U, 5U}) {
+    SCOPED_TRACE(seed);
+    const SparseSymmetric m = random_matrix(GetParam(), seed);
+    Cholesky factor = factor_of(changed(m, 5));
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+    const ConjugateGradientSolution found = conjugate_gradients(m, b, factor, {kLeastGain, 50});
+    EXPECT_EQ(found.end, ConjugateGradientEnd::converged);
+    EXPECT_GT(found.iterations, 1);
+    Eigen::VectorXd image;
+    multiply(m, found.x, image);
+    EXPECT_LT((image - b).norm(), 1e-6 * b.norm());
+  }
+}
+
+TEST_P(ConjugateGradientsTest, NeedOneIterationWithTheMatrixsOwnFactor) {
+  const SparseSymmetric m = random_matrix(GetParam(), 6);
+  Cholesky factor = factor_of(m);
+  const ConjugateGradientSolution found =
+      conjugate_gradients(m, Eigen::VectorXd::Ones(m.size()), factor, {kLeastGain, 50});
+  EXPECT_EQ(found.end, ConjugateGradientEnd::converged);
+  EXPECT_EQ(found.iterations, 1);
+}
+
+TEST_P(ConjugateGradientsTest, GiveUpAfterAsManyIterationsAsTheyMayTake) {
+  const SparseSymmetric m = random_matrix(GetParam(), 7);
+  Cholesky factor = factor_of(changed(m, 50));
+  const ConjugateGradientSolution found =
+      conjugate_gradients(m, Eigen::VectorXd::Ones(m.size()), factor, {kLeastGain, 2});
+  EXPECT_EQ(found.end, ConjugateGradientEnd::slow);
+  EXPECT_EQ(found.iterations, 2);
+}
+
+TEST_P(ConjugateGradientsTest, NoticeAnIndefiniteMatrix) {
+  const SparseSymmetric m = random_matrix(GetParam(), 8);
+  Cholesky factor = factor_of(m);
+  const ConjugateGradientSolution found = conjugate_gradients(
+      changed(m, -30), Eigen::VectorXd::LinSpaced(m.size(), -1, 2), factor, {kLeastGain, 50});
+  EXPECT_EQ(found.end, ConjugateGradientEnd::indefinite);
+}
+
+TEST_P(ConjugateGradientsTest, OfNothingAreNothing) {
+  const SparseSymmetric m = random_matrix(GetParam(), 9);
+  Cholesky factor = factor_of(m);
+  const ConjugateGradientSolution found =
+      conjugate_gradients(m, Eigen::VectorXd::Zero(m.size()), factor, {kLeastGain, 50});
+  EXPECT_EQ(found.end, ConjugateGradientEnd::converged);
+  EXPECT_TRUE(found.x.isZero(0));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, ConjugateGradientsTest, testing::Values(20, 700));
+
+}  // namespace
+}  // namespace foldless

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/multires/prolong.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/energy/densities.h"
+#include "core/mesh/generate.h"
+#include "core/mesh/injective.h"
+#include "tests/support/meshes.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/spiral.h"
+#include "tests/support/valid_pair.h"
+
+namespace foldless {
+namespace {
+
+EnergySettings energy(double delta = 1e-5) {
+  EnergySettings settings;
+  settings.density = find_density("arap");
+  settings.beta = 2;
+  settings.delta = delta;
+  settings.barrier_area_weighted = true;
+  return settings;
+}
+
+MeshPair pair_of_shape(const Shape& shape) { return {shape.triangles, shape.rest}; }
+
+MeshPair fine_grid(int cells = 24) {
+  return pair_of_shape(grid({.columns = cells, .rows = cells, .diagonal = Diagonal::alternating}));
+}
+
+/// Moves the vertices of the coarse mesh one by one, nearly as far as its triangles let them.
+void crease(CoarseMesh& coarse, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(-0.5, 0.5);
+  MeshPair& mesh = coarse.mesh;
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    Vec2 way(unit(random), unit(random));
+    for (int trial = 0; trial < 6; ++trial, way *= 0.5) {
+      Points u = mesh.deformed();
+      u.col(v) += way;
+      const std::vector<int> round = mesh.triangles_of_vertex(v);
+      const bool is_open = std::ranges::all_of(round, [&](int t) {
+        const Eigen::Vector3i corners = mesh.triangles().col(t);
+        return signed_area(u, corners) > 0.1 * signed_area(mesh.rest(), corners);
+      });
+      if (!is_open || !is_injective(mesh.triangles(), u)) continue;
+      mesh.set_deformed(u);
+      break;
+    }
+  }
+}
+
+void expect_shared_vertices_agree(const CoarseMesh& coarse, const MeshPair& fine) {
+  for (std::size_t i = 0; i < coarse.vertices.size(); ++i)
+    EXPECT_EQ(Vec2(fine.deformed().col(coarse.vertices[i])),
+              Vec2(coarse.mesh.deformed().col(static_cast<Eigen::Index>(i))))
+        << "vertex " << coarse.vertices[i];
+}
+
+TEST(Prolonged, TheIdentityStaysTheIdentity) {
+  const MeshPair fine = fine_grid();
+  const auto result = prolonged(coarsened(fine, {}, 200), fine, energy());
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->flips, 0);
+  EXPECT_TRUE(result->mesh.triangles() == fine.triangles());
+  EXPECT_LE((result->mesh.deformed() - fine.rest()).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST(Prolonged, AnAffineMapIsReproducedWithoutAFlip) {
+  const MeshPair fine = fine_grid();
+  CoarseMesh coarse = coarsened(fine, {}, 200);
+  Mat2 map;
+  map << 2, 0.7, -0.3, 0.4;
+  coarse.mesh.set_deformed((map * coarse.mesh.rest()).colwise() + Vec2(3, -1));
+  const auto result = prolonged(coarse, fine, energy());
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->flips, 0);
+  const Points expected = (map * fine.rest()).colwise() + Vec2(3, -1);
+  EXPECT_LE((result->mesh.deformed() - expected).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST(Prolonged, CreasesThatWouldFoldFineTrianglesBecomeEdges) {
+  int folded = 0, flips = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    const MeshPair fine = fine_grid();
+    CoarseMesh coarse = coarsened(fine, {}, 150);
+    crease(coarse, random);
+    const auto result = prolonged(coarse, fine, energy());
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(test::is_valid(result->mesh));
+    EXPECT_EQ(result->mesh.rest(), fine.rest());
+    EXPECT_EQ(result->mesh.edge_count(), fine.edge_count());
+    expect_shared_vertices_agree(coarse, result->mesh);
+    folded += check_injectivity(fine.triangles(), result->mesh.deformed()).inverted;
+    flips += result->flips;
+  }
+  EXPECT_GT(folded, 20) << "of the fine triangles without flips: the claim would be empty";
+  EXPECT_GT(flips, 20);
+}
+
+TEST(Prolonged, RandomMeshesComeOutValidWithTheirSharedVerticesInPlace) {
+  int came_out = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    const MeshPair fine = pair_of_shape(test::random_shape(random));
+    CoarseMesh coarse = coarsened(fine, {}, fine.vertex_count() / 2);
+    crease(coarse, random);
+    const auto result = prolonged(coarse, fine, energy());
+    if (!result) continue;
+    ++came_out;
+    EXPECT_TRUE(test::is_valid(result->mesh));
+    EXPECT_EQ(result->mesh.rest(), fine.rest());
+    expect_shared_vertices_agree(coarse, result->mesh);
+  }
+  EXPECT_GE(came_out, 95);
+}
+
+TEST(Prolonged, ADomainThatLiesOverItselfKeepsItsSheetsApart) {
+  const int columns = 240;
+  const MeshPair fine = pair_of_shape(test::wound_strip(columns, 12, 2.5));
+  CoarseMesh coarse = coarsened(fine, {}, 900);
+  // Unwound: where a vertex goes tells its sheet.
+  const auto unwound = [&](int v) { return Vec2(v % (columns + 1), v / (columns + 1)); };
+  Points u(2, coarse.mesh.vertex_count());
+  for (std::size_t i = 0; i < coarse.vertices.size(); ++i)
+    u.col(static_cast<Eigen::Index>(i)) = unwound(coarse.vertices[i]);
+  coarse.mesh.set_deformed(u);
+  const auto result = prolonged(coarse, fine, energy());
+  ASSERT_TRUE(result);
+  for (int v = 0; v < fine.vertex_count(); ++v)
+    EXPECT_LT((result->mesh.deformed().col(v) - unwound(v)).norm(), 3) << "vertex " << v;
+}
+
+/// A square whose diagonal was split in the coarse mesh, so that the crease there cannot become
+/// edges of the fine one: the new vertex goes by `way` to the lower right. The fine triangle 4 5 6
+/// has two corners on the diagonal and one close above its middle.
+struct SplitCrease {
+  explicit SplitCrease(double way) {
+    const auto square = test::unit_square();
+    coarse = {MeshPair(square.triangles, square.rest), {0, 1, 2, 3}};
+    const int middle = coarse.mesh.split_edge(coarse.mesh.find_edge(0, 2).value(), 0.5);
+    Points u = coarse.mesh.rest();
+    u.col(middle) += Vec2(way, -way);
+    coarse.mesh.set_deformed(u);
+    Points rest(2, 7);
+    rest << square.rest, Vec2(0.3, 0.3), Vec2(0.7, 0.7), Vec2(0.5, 0.52);
+    Triangles triangles(3, 8);
+    triangles << 4, 0, 1, 1, 2, 3, 3, 3,  //
+        5, 1, 5, 2, 3, 6, 4, 0,           //
+        6, 4, 4, 5, 5, 5, 6, 4;
+    fine = MeshPair(triangles, rest);
+  }
+  CoarseMesh coarse;
+  MeshPair fine;
+};
+
+TEST(Prolonged, IsNothingWhereACreasePassesAVertexOfASplitAndTheFineMeshFolds) {
+  const SplitCrease folding(0.05);
+  ASSERT_TRUE(test::is_valid(folding.fine) && test::is_valid(folding.coarse.mesh));
+  EXPECT_FALSE(prolonged(folding.coarse, folding.fine, energy()));
+}
+
+TEST(Prolonged, IsNothingWhereTheFineMeshLeavesTheFeasibleSetWithoutAFold) {
+  const SplitCrease flat(0.026);  // A′/A = 0.064
+  ASSERT_TRUE(prolonged(flat.coarse, flat.fine, energy(0.01)));
+  EXPECT_FALSE(prolonged(flat.coarse, flat.fine, energy(0.1)));
+}
+
+}  // namespace
+}  // namespace foldless
