@@ -9,6 +9,14 @@ add_test(NAME Layering.ComplainsAboutEachBrokenRule
                  -DTREE=${CMAKE_CURRENT_BINARY_DIR}/layering_tree
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/layering_self_test.cmake)
 
+add_test(NAME PaperTable.NamesWhatIsInTheSources
+         COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/paper_table_test.cmake)
+add_test(NAME PaperTable.ComplainsAboutEachBrokenRow
+         COMMAND ${CMAKE_COMMAND} -DTEST=${CMAKE_CURRENT_SOURCE_DIR}/paper_table_test.cmake
+                 -DTREE=${CMAKE_CURRENT_BINARY_DIR}/paper_table_tree
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/paper_table_self_test.cmake)
+
 find_program(CLANG_FORMAT NAMES clang-format-14 clang-format)
 if(CLANG_FORMAT)
   add_test(NAME Format.HoldsInTheSources
