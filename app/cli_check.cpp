@@ -4,6 +4,7 @@
 #include <iostream>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "app/cli.h"
@@ -49,8 +50,8 @@ Distortion distortion_of(const Triangles& triangles, const Points& rest, const P
 /// Collects the line that is printed.
 class Line {
  public:
-  void add(std::string key, double value) { object_.emplace_back(std::move(key), node_of(value)); }
-  void add(std::string key, bool value) { object_.emplace_back(std::move(key), JsonNode{value}); }
+  void add(std::string_view key, double value) { object_.emplace_back(key, node_of(value)); }
+  void add(std::string_view key, bool value) { object_.emplace_back(key, JsonNode{value}); }
   /// Something that is wrong with the map.
   void add_problem(std::string words) { problems_.push_back({std::move(words)}); }
 

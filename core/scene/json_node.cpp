@@ -84,7 +84,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
       if (known == key)
         refuse("the key " + in_quotes(key) + " comes twice, first in line " +
                std::to_string(value.line));
-    object.emplace_back(std::move(key), JsonNode{});
+    object.emplace_back(key, JsonNode{});
     return true;
   }
 
@@ -112,7 +112,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (!open_.empty()) {
       auto& parent = open_.back()->value;
       if (auto* array = std::get_if<JsonNode::Array>(&parent)) node = &array->emplace_back();
-      if (auto* object = std::get_if<JsonNode::Object>(&parent)) node = &object->back().second;
+      if (auto* object = std::get_if<JsonNode::Object>(&parent)) node = &object->back().value;
     }
     node->value = std::move(value);
     node->line = lines_.of_last_token;

@@ -13,8 +13,9 @@ namespace foldless {
 
 /// A JSON value that knows its line and keeps the order of keys. Numbers are doubles.
 struct JsonNode {
+  struct Member;
   using Array = std::vector<JsonNode>;
-  using Object = std::vector<std::pair<std::string, JsonNode>>;
+  using Object = std::vector<Member>;
 
   std::variant<std::nullptr_t, bool, double, std::string, Array, Object> value;
   int line = 0;  ///< where the value begins, from 1; 0: not from a file
@@ -24,6 +25,15 @@ struct JsonNode {
   const T* as() const {
     return std::get_if<T>(&value);
   }
+};
+
+/// A key of an object with its value. No std::pair: that cannot be declared before a JsonNode is
+/// complete, and an object is a part of one.
+struct JsonNode::Member {
+  Member(std::string_view key_text, JsonNode node) : key(key_text), value(std::move(node)) {}
+
+  std::string key;
+  JsonNode value;
 };
 
 /// A number; null where it is not finite, for which JSON has no word.

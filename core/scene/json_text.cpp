@@ -42,15 +42,15 @@ class Writer {
     if (const auto* array = node.as<JsonNode::Array>())
       write_items(*array, "[]", on_one_line, [](const JsonNode&) {});
     if (const auto* object = node.as<JsonNode::Object>())
-      write_items(*object, "{}", on_one_line, [this](const auto& item) {
-        write_string(item.first);
+      write_items(*object, "{}", on_one_line, [this](const JsonNode::Member& item) {
+        write_string(item.key);
         text += ": ";
       });
   }
 
  private:
   static const JsonNode& value_of(const JsonNode& item) { return item; }
-  static const JsonNode& value_of(const JsonNode::Object::value_type& item) { return item.second; }
+  static const JsonNode& value_of(const JsonNode::Member& item) { return item.value; }
 
   template <typename Items, typename WriteKey>
   void write_items(const Items& items, std::string_view brackets, bool on_one_line,

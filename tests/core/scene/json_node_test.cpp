@@ -24,12 +24,12 @@ TEST(JsonNode, KnowsTheLineOfEveryValue) {
       parse_json("{\n\"a\": 1\n,\"b\": [2,\n3\n,\n\n4.5\n],\n \"c\"\n:\n true}", "a");
   const auto& object = *root.as<JsonNode::Object>();
   EXPECT_EQ(root.line, 1);
-  EXPECT_EQ(object[0].second.line, 2);
-  const auto& array = *object[1].second.as<JsonNode::Array>();
+  EXPECT_EQ(object[0].value.line, 2);
+  const auto& array = *object[1].value.as<JsonNode::Array>();
   EXPECT_EQ(array[0].line, 3);
   EXPECT_EQ(array[1].line, 4);
   EXPECT_EQ(array[2].line, 7);
-  EXPECT_EQ(object[2].second.line, 11);
+  EXPECT_EQ(object[2].value.line, 11);
 }
 
 TEST(JsonNode, RefusesWhatIsNotJsonWithTheLine) {
