@@ -22,9 +22,11 @@ std::vector<const Command*> matches(const std::string& text) {
   for (const Command& command : commands())
     if (matches_filter(words_of(command), text)) found.push_back(&command);
   // Letters in one piece before letters that are scattered.
-  std::ranges::stable_partition(found, [&text](const Command* command) {
+  std::stable_partition(found.begin(), found.end(), [&text](const Command* command) {
     const std::string words = words_of(*command);
-    return text.empty() || !std::ranges::search(words, text, {}, lower_case, lower_case).empty();
+    const auto equal = [](char a, char b) { return lower_case(a) == lower_case(b); };
+    return text.empty() ||
+           std::search(words.begin(), words.end(), text.begin(), text.end(), equal) != words.end();
   });
   return found;
 }

@@ -41,8 +41,7 @@ class Rings {
       for (const int other : triangle(t))
         if (other != v) result.push_back(other);
     std::ranges::sort(result);
-    const auto repeated = std::ranges::unique(result);
-    result.erase(repeated.begin(), repeated.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
   int triangles_beside(int a, int b) const {

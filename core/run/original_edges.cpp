@@ -45,8 +45,7 @@ std::vector<Edge> OriginalEdges::flipped_in(const Triangles& triangles) const {
     if (e[1] < vertices && !contains(e)) flipped.push_back(e);
   });
   std::ranges::sort(flipped);
-  const auto repeated = std::ranges::unique(flipped);
-  flipped.erase(repeated.begin(), repeated.end());
+  flipped.erase(std::unique(flipped.begin(), flipped.end()), flipped.end());
   return flipped;
 }
 

@@ -69,7 +69,7 @@ TEST(EarClipping, CutsAConvexQuadAlongTheShorterDiagonal) {
 TEST(EarClipping, CutsANonConvexQuadAtItsReflexCorner) {
   for (int turn = 0; turn < 4; ++turn) {
     Polygon arrow{{0, 0}, {4, 0}, {1, 1}, {0, 4}};
-    std::ranges::rotate(arrow, arrow.begin() + turn);
+    std::rotate(arrow.begin(), arrow.begin() + turn, arrow.end());
     expect_triangulated_both_ways(arrow);
   }
 }

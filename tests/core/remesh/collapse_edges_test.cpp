@@ -125,7 +125,7 @@ TEST(CollapseEdges, NewTrianglesArePositiveInTheDeformedMesh) {
 TEST(CollapseEdges, AVertexStaysWhereNoNeighbourSeesItsLinkInBothMeshes) {
   const MeshPair rest = fan(kNotched, {0, 1.6});
   std::vector<Vec2> next_notched = kNotched;
-  std::ranges::rotate(next_notched, next_notched.end() - 1);
+  std::rotate(next_notched.begin(), next_notched.end() - 1, next_notched.end());
   MeshPair mesh(rest.triangles(), rest.rest(), fan(next_notched, {0, 1.6}).rest());
   EXPECT_EQ(collapse_edges(mesh, from(5)), 0);
 }
