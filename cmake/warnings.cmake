@@ -9,14 +9,16 @@ function(foldless_options target)
   if(FOLDLESS_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
-  if(CMAKE_UNITY_BUILD)
+  if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # The warning takes the files of one unit for headers.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
   if(FOLDLESS_SANITIZE)
     # GCC's flow analysis loses itself in instrumented code and reports what it then cannot follow;
     # its manual advises against combining the two. The release preset keeps these warnings.
-    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-restrict)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-restrict)
+    endif()
     target_compile_options(${target} PUBLIC -fsanitize=${FOLDLESS_SANITIZE} -fno-omit-frame-pointer
                            -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${FOLDLESS_SANITIZE})
