@@ -28,7 +28,7 @@ fs::path data_path(std::string_view relative) {
   for (const fs::path& root : roots) {
     if (root.empty()) continue;
     std::error_code unreadable;
-    const fs::path candidate = (root / relative).lexically_normal();
+    fs::path candidate = (root / relative).lexically_normal();
     if (fs::exists(candidate, unreadable)) return candidate;
   }
   throw Error(

@@ -55,8 +55,8 @@ Mat2 turned(const Mat2& vectors) {
 
 Eigen::Matrix<double, 6, 1> gradient_by_corners(const Mat2& gradients, const DensityDerivatives& d,
                                                 const Mat2& J) {
-  const Mat2 by_J = d.norm * J + d.det * cofactors(J) + d.trace * Mat2::Identity();
-  const Mat2 by_corners = by_J * gradients;
+  const Mat2 by_jacobian = d.norm * J + d.det * cofactors(J) + d.trace * Mat2::Identity();
+  const Mat2 by_corners = by_jacobian * gradients;
   Eigen::Matrix<double, 6, 1> result;
   result << -by_corners.rowwise().sum(), by_corners.col(0), by_corners.col(1);
   return result;

@@ -55,8 +55,8 @@ SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int
 }
 
 BlockPlace find_block(const SparseSymmetric& matrix, int i, int j) {
-  const int first = matrix.column_start[static_cast<std::size_t>(2 * j)];
-  const int second = matrix.column_start[static_cast<std::size_t>(2 * j) + 1];
+  const int first = matrix.column_start[2 * static_cast<std::size_t>(j)];
+  const int second = matrix.column_start[2 * static_cast<std::size_t>(j) + 1];
   if (i == j) return {first, second};
   // A vertex has three later neighbours on average: too few for a binary search.
   const int* const begin =
@@ -72,9 +72,9 @@ void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorX
   y.setZero(A.size());
   for (int j = 0; j < A.nodes; ++j) {
     const double* first =
-        &A.value[static_cast<std::size_t>(A.column_start[static_cast<std::size_t>(2 * j)])];
+        &A.value[static_cast<std::size_t>(A.column_start[2 * static_cast<std::size_t>(j)])];
     const double* second =
-        &A.value[static_cast<std::size_t>(A.column_start[static_cast<std::size_t>(2 * j) + 1])];
+        &A.value[static_cast<std::size_t>(A.column_start[2 * static_cast<std::size_t>(j) + 1])];
     const double x0 = x[2 * j], x1 = x[2 * j + 1];
     double y0 = first[0] * x0 + first[1] * x1, y1 = first[1] * x0 + second[0] * x1;
     first += 2;

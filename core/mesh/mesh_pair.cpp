@@ -21,7 +21,8 @@ std::uint64_t next_revision() {
 
 }  // namespace
 
-MeshPair::MeshPair(const Triangles& triangles, Points rest) : MeshPair(triangles, rest, rest) {}
+MeshPair::MeshPair(const Triangles& triangles, const Points& rest)
+    : MeshPair(triangles, rest, rest) {}
 
 MeshPair::MeshPair(const Triangles& triangles, Points rest, Points deformed)
     : triangles_(triangles), rest_(std::move(rest)), deformed_(std::move(deformed)) {

@@ -25,7 +25,7 @@ class MeshPair {
  public:
   MeshPair() = default;
   /// M′ = M. Precondition: oriented manifold triangles with indices in range (see validate.h).
-  MeshPair(const Triangles& triangles, Points rest);
+  MeshPair(const Triangles& triangles, const Points& rest);
   /// As above with its own deformed positions, 2 × #V.
   MeshPair(const Triangles& triangles, Points rest, Points deformed);
 

@@ -14,78 +14,82 @@ constexpr double kCollinear = 1e-6;
 /// Looks at an edge in the queue, over the square of their number. Random meshes took 1.
 constexpr std::size_t kMostLooks = 4;
 
+/// From vertex a of the rest mesh to vertex b.
+struct Segment {
+  const Points& rest;
+  int a, b;
+
+  /// 1 left of the segment, −1 right of it, 0 nearly on its line.
+  int side_of(int v) const {
+    const double twice = 2 * signed_area(rest.col(a), rest.col(b), rest.col(v));
+    const double least = kCollinear * (rest.col(b) - rest.col(a)).squaredNorm();
+    return twice > least ? 1 : twice < -least ? -1 : 0;
+  }
+  bool has_ahead(int v) const {
+    return side_of(v) == 0 && (rest.col(v) - rest.col(a)).dot(rest.col(b) - rest.col(a)) > 0;
+  }
+  bool crosses(int c, int d) const {
+    if (c == a || c == b || d == a || d == b) return false;
+    return side_of(c) * side_of(d) < 0;
+  }
+};
+
 /// A piece of the segment that passes through no vertex.
 struct Piece {
   int end = -1;              ///< the vertex where it ends; −1 where it leaves the domain
   std::deque<int> crossing;  ///< edges, in order
 };
 
-int third_corner(const MeshPair& mesh, int t, int p, int q) {
-  for (const int v : mesh.triangles().col(t))
-    if (v != p && v != q) return v;
+/// Where a segment leaves a triangle: p is right of the segment, q left.
+struct Exit {
+  int triangle, p, q;
+};
+
+int third_corner(const MeshPair& mesh, const Exit& exit) {
+  for (const int v : mesh.triangles().col(exit.triangle))
+    if (v != exit.p && v != exit.q) return v;
   return -1;
 }
 
-/// 1 left of the segment from a to b, −1 right of it, 0 nearly on its line.
-int side_of(const Points& rest, int a, int b, int v) {
-  const double twice = 2 * signed_area(rest.col(a), rest.col(b), rest.col(v));
-  const double least = kCollinear * (rest.col(b) - rest.col(a)).squaredNorm();
-  return twice > least ? 1 : twice < -least ? -1 : 0;
-}
-
-bool is_ahead(const Points& rest, int a, int v, int b) {
-  return side_of(rest, a, b, v) == 0 &&
-         (rest.col(v) - rest.col(a)).dot(rest.col(b) - rest.col(a)) > 0;
-}
-
-void walk(const MeshPair& mesh, int a, int b, int t, int p, int q, Piece& piece) {
-  const Points& rest = mesh.rest();
+Piece walk(const MeshPair& mesh, const Segment& segment, Exit exit) {
+  Piece piece;
   for (;;) {
-    const int e = *mesh.find_edge(p, q);
-    if (mesh.is_boundary_edge(e)) return;
+    const int e = *mesh.find_edge(exit.p, exit.q);
+    if (mesh.is_boundary_edge(e)) return piece;
     piece.crossing.push_back(e);
     const std::vector<int> beside = mesh.triangles_of_edge(e);
-    t = beside[0] == t ? beside[1] : beside[0];
-    const int r = third_corner(mesh, t, p, q);
-    const int side = side_of(rest, a, b, r);
-    if (r == b || side == 0) {
+    exit.triangle = beside[0] == exit.triangle ? beside[1] : beside[0];
+    const int r = third_corner(mesh, exit);
+    const int side = segment.side_of(r);
+    if (r == segment.b || side == 0) {
       piece.end = r;
-      return;
+      return piece;
     }
-    (side < 0 ? p : q) = r;
+    (side < 0 ? exit.p : exit.q) = r;
   }
 }
 
-/// From a towards b; p is right of the segment, q left.
+/// From a towards b.
 Piece first_piece(const MeshPair& mesh, int a, int b) {
   const Points& rest = mesh.rest();
-  Piece piece;
+  const Segment segment{rest, a, b};
   for (const int t : mesh.triangles_of_vertex(a)) {
     const Eigen::Vector3i corners = mesh.triangles().col(t);
     const int i = corners[0] == a ? 0 : corners[1] == a ? 1 : 2;
     const int p = corners[(i + 1) % 3], q = corners[(i + 2) % 3];
     for (const int v : {p, q})
-      if (v == b || is_ahead(rest, a, v, b)) {
-        piece.end = v;
-        return piece;
-      }
+      if (v == b || segment.has_ahead(v)) return {.end = v, .crossing = {}};
     if (orientation(rest.col(a), rest.col(p), rest.col(b)) > 0 &&
-        orientation(rest.col(a), rest.col(q), rest.col(b)) < 0) {
-      walk(mesh, a, b, t, p, q, piece);
-      return piece;
-    }
+        orientation(rest.col(a), rest.col(q), rest.col(b)) < 0)
+      return walk(mesh, segment, {t, p, q});
   }
-  return piece;
-}
-
-bool is_crossed(const Points& rest, int a, int end, int c, int d) {
-  if (c == a || c == end || d == a || d == end) return false;
-  return side_of(rest, a, end, c) * side_of(rest, a, end, d) < 0;
+  return {};
 }
 
 /// Flips until nothing crosses the piece that begins at a, or nothing is gained; returns how often.
 int clear(MeshPair& mesh, int a, Piece& piece) {
   std::deque<int>& queue = piece.crossing;
+  const Segment segment{mesh.rest(), a, piece.end};
   int flips = 0;
   for (std::size_t looks = kMostLooks * queue.size() * queue.size(); looks > 0; --looks) {
     if (queue.empty()) break;
@@ -98,8 +102,7 @@ int clear(MeshPair& mesh, int a, Piece& piece) {
       mesh.flip(e);
       ++flips;
     }
-    if (!flips_now || is_crossed(mesh.rest(), a, piece.end, diamond.c, diamond.d))
-      queue.push_back(e);
+    if (!flips_now || segment.crosses(diamond.c, diamond.d)) queue.push_back(e);
   }
   return flips;
 }

@@ -77,6 +77,7 @@ std::vector<LinkEdge> in_order_of_splitting(const Points& u, const std::vector<L
     return distance[i] > distance[j];
   });
   std::vector<LinkEdge> sorted;
+  sorted.reserve(order.size());
   for (const std::size_t i : order) sorted.push_back(c_alpha[i]);
   return sorted;
 }
