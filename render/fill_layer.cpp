@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <vector>
@@ -83,7 +84,7 @@ void FillLayer::upload_heat(const MeshLayer& mesh, const Distortion& distortion)
   for (std::size_t k = 0; k < order.size(); ++k) {
     const double value = distortion.values[static_cast<std::size_t>(order[k])];
     const double place = position_on(distortion.range, value);
-    texels[k] = table[static_cast<std::size_t>(place * (kShades - 1) + 0.5)];
+    texels[k] = table[static_cast<std::size_t>(std::lround(place * (kShades - 1)))];
   }
   glBindTexture(GL_TEXTURE_2D, heat_colours_.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);

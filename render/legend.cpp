@@ -56,7 +56,7 @@ void draw_bar(Image& image, const Bar& bar, const glm::vec4& frame) {
     for (int x = -1; x <= bar.width; ++x) {
       const bool is_frame = x < 0 || y < 0 || x == bar.width || y == bar.height;
       const float t = 1 - (static_cast<float>(y) + 0.5F) / static_cast<float>(bar.height);
-      blend(image, bar.left + x, bar.top + y, is_frame ? frame : glm::vec4(viridis(t), 1), 1);
+      blend(image, bar.left + x, bar.top + y, is_frame ? frame : glm::vec4(viridis(t), 1));
     }
 }
 
@@ -68,7 +68,7 @@ void draw_ticks(Image& image, const HeatRange& range, const Bar& bar, const View
     const double y = bar.top + (1 - tick.t) * bar.height;
     const int mark = static_cast<int>(4 * style.ui_scale);
     for (int x = 0; x < mark; ++x)
-      blend(image, bar.left + bar.width + x, static_cast<int>(y - 0.5), colour, 1);
+      blend(image, bar.left + bar.width + x, static_cast<int>(y - 0.5), colour);
     const double left = bar.left + bar.width + mark + 0.7 * kGap * style.ui_scale;
     draw_stroke_text(image, tick.label, {{left, std::round(y + 0.5 * digit)}, digit, colour});
   }

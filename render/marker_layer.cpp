@@ -111,11 +111,11 @@ MarkerLayer::MarkerLayer(const std::filesystem::path& shader_folder)
     glEnableVertexAttribArray(attribute);
     glVertexAttribDivisor(attribute, 1);
   }
-  constexpr GLsizei stride = sizeof(Marker);
-  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(Marker, centre)));
-  glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, stride, offset(offsetof(Marker, radius)));
-  glVertexAttribPointer(2, 4, GL_FLOAT, GL_FALSE, stride, offset(offsetof(Marker, fill)));
-  glVertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, stride, offset(offsetof(Marker, rim)));
+  constexpr GLsizei kStride = sizeof(Marker);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(Marker, centre)));
+  glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(Marker, radius)));
+  glVertexAttribPointer(2, 4, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(Marker, fill)));
+  glVertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(Marker, rim)));
   glBindVertexArray(lines_.id());
   glBindBuffer(GL_ARRAY_BUFFER, segments_.id());
   glEnableVertexAttribArray(0);

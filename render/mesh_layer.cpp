@@ -19,8 +19,8 @@ Box box_of(const Points& points) {
 }
 
 const std::vector<Edge>& flipped_of(const Snapshot& snapshot) {
-  static const std::vector<Edge> kNone;
-  return snapshot.flipped_edges ? *snapshot.flipped_edges : kNone;
+  static const std::vector<Edge> none;
+  return snapshot.flipped_edges ? *snapshot.flipped_edges : none;
 }
 
 template <class T>

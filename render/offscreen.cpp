@@ -21,16 +21,16 @@ struct DestroyContext {
 using ContextPointer = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, DestroyContext>;
 
 ContextPointer make_context() {
-  constexpr std::array<int, 9> attributes{OSMESA_FORMAT,
-                                          OSMESA_RGBA,
-                                          OSMESA_PROFILE,
-                                          OSMESA_CORE_PROFILE,
-                                          OSMESA_CONTEXT_MAJOR_VERSION,
-                                          3,
-                                          OSMESA_CONTEXT_MINOR_VERSION,
-                                          3,
-                                          0};
-  ContextPointer context(OSMesaCreateContextAttribs(attributes.data(), nullptr));
+  constexpr std::array<int, 9> kAttributes{OSMESA_FORMAT,
+                                           OSMESA_RGBA,
+                                           OSMESA_PROFILE,
+                                           OSMESA_CORE_PROFILE,
+                                           OSMESA_CONTEXT_MAJOR_VERSION,
+                                           3,
+                                           OSMESA_CONTEXT_MINOR_VERSION,
+                                           3,
+                                           0};
+  ContextPointer context(OSMesaCreateContextAttribs(kAttributes.data(), nullptr));
   if (!context)
     throw Error("OSMesa refuses an OpenGL 3.3 context; install libosmesa6 of Mesa 20 on");
   return context;

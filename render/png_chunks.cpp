@@ -47,12 +47,12 @@ std::string png_chunk(const PngChunk& chunk) {
 }
 
 std::optional<PngChunk> next_png_chunk(std::string_view file, std::size_t& offset) {
-  constexpr std::size_t frame = 12;  // length, type and CRC
-  if (offset + frame > file.size()) return std::nullopt;
+  constexpr std::size_t kFrame = 12;  // length, type and CRC
+  if (offset + kFrame > file.size()) return std::nullopt;
   const std::size_t length = from_big_endian(file.substr(offset, 4));
-  if (length > file.size() - offset - frame) return std::nullopt;
+  if (length > file.size() - offset - kFrame) return std::nullopt;
   const PngChunk chunk{file.substr(offset + 4, 4), file.substr(offset + 8, length)};
-  offset += length + frame;
+  offset += length + kFrame;
   return chunk;
 }
 

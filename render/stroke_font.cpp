@@ -118,7 +118,9 @@ void draw_stroke_text(Image& image, std::string_view text, const StrokeText& pla
   for (int y = top; y <= bottom; ++y)
     for (int x = left; x <= right; ++x) {
       const double coverage = half_width + 0.5 - distance_to(segments, {x + 0.5, y + 0.5});
-      blend(image, x, y, place.colour, static_cast<float>(std::clamp(coverage, 0.0, 1.0)));
+      glm::vec4 colour = place.colour;
+      colour.a *= static_cast<float>(std::clamp(coverage, 0.0, 1.0));
+      blend(image, x, y, colour);
     }
 }
 

@@ -52,7 +52,7 @@ void measure(const Density& energy, const Snapshot& state, BenchRow& row) {
   row.mean_conformal_distortion = quality.mean_conformal_distortion;
 }
 
-void run_to_its_end(const BenchJob& job, std::stop_token token, BenchRow& row) {
+void run_to_its_end(const BenchJob& job, const std::stop_token& token, BenchRow& row) {
   const Problem problem = problem_of(job);
   const double start = thread_seconds();
   Run run(problem);
@@ -69,7 +69,7 @@ void run_to_its_end(const BenchJob& job, std::stop_token token, BenchRow& row) {
 
 }  // namespace
 
-BenchRow run_job(const BenchJob& job, std::stop_token token) {
+BenchRow run_job(const BenchJob& job, const std::stop_token& token) {
   const Scene& scene = job.scene->scene;
   BenchRow row;
   row.scene = job.scene->name;

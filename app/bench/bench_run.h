@@ -55,6 +55,6 @@ struct BenchRow {
 
 /// Runs a method on a scene on the calling thread, to its end or until the token is set, when the
 /// outcome is `cancelled`. A method that cannot take the scene, or fails, makes a row that says so.
-BenchRow run_job(const BenchJob& job, std::stop_token token);
+BenchRow run_job(const BenchJob& job, const std::stop_token& token);
 
 }  // namespace foldless

@@ -21,7 +21,7 @@ double farthest(const Snapshot& state) {
 
 }  // namespace
 
-void run_drag(const BenchJob& job, Run& run, std::stop_token token, BenchRow& row) {
+void run_drag(const BenchJob& job, Run& run, const std::stop_token& token, BenchRow& row) {
   while (const auto record = run.step(token)) row.iterations.push_back(*record);
   for (const Points& targets : job.scene->targets) {
     if (token.stop_requested()) return;

@@ -12,6 +12,6 @@ namespace foldless {
 /// follows. A frame, whatever the method: new targets, then iterations until every handle is within
 /// 1e-6 D of its target, two at most. Before the first frame the run goes to its end at the targets
 /// of the scene. Ends early when the token is set, with as many frames as there are.
-void run_drag(const BenchJob& job, Run& run, std::stop_token token, BenchRow& row);
+void run_drag(const BenchJob& job, Run& run, const std::stop_token& token, BenchRow& row);
 
 }  // namespace foldless

@@ -10,8 +10,8 @@ namespace {
 /// spine, smaller towards the tail.
 void append_scutes(const std::vector<Vec2>& spine, std::vector<ControlPoint>& points) {
   for (std::size_t i = 0; i + 1 < spine.size(); ++i) {
-    const Vec2 a = spine[i], b = spine[i + 1];
-    const Vec2 along = b - a;
+    const Vec2& a = spine[i];
+    const Vec2 along = spine[i + 1] - a;
     const Vec2 outward(along.y(), -along.x());
     points.push_back({a, 0});
     points.push_back({a + 0.30 * along + 0.30 * outward, 1});
