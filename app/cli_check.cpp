@@ -16,6 +16,7 @@
 #include "core/mesh/injective.h"
 #include "core/mesh/orientation.h"
 #include "core/method/satisfied.h"
+#include "core/run/active_part.h"
 #include "core/scene/json_node.h"
 
 namespace foldless {
@@ -127,7 +128,8 @@ void add_handles(const Scene& scene, const MeshFiles& files, Line& line) {
   for (const Handle& handle : scene.handles)
     if (handle.kind != HandleKind::soft)
       largest = std::max(largest, (deformed.col(handle.vertex) - handle.target).norm());
-  const double diagonal = bounding_box_diagonal(scene.rest);
+  const double diagonal = 
+      active_diagonal(files.rest.triangles, files.rest.points, scene.handles);
   const bool is_satisfied = error <= kSatisfied * diagonal * diagonal;
   const bool is_rest_kept = files.rest.points.leftCols(scene.rest.cols()) == scene.rest;
   line.add("original_vertices", static_cast<double>(scene.rest.cols()));

@@ -7,7 +7,7 @@
 set(STD "<[a-z_]+>")
 set(POSIX "<(fcntl|unistd|poll|pthread|spawn|signal|sys/[a-z]+)\\.h>")
 set(IMAGE_CODECS "<(png|turbojpeg|webp/[a-z_]+)\\.h>")
-set(CORE "core/(error|iteration|iterations_csv|snapshot|atomic_file|data_path)\\.h")
+set(CORE "core/(error|handle|iteration|snapshot|stage_times|data_path)\\.h")
 set(PLAIN "${STD}|${POSIX}")
 
 file(GLOB_RECURSE SOURCES RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/core/* ${SOURCE_DIR}/render/*
@@ -50,25 +50,32 @@ function(only_in files token what)
   set(VIOLATIONS "${VIOLATIONS}" PARENT_SCOPE)
 endfunction()
 
-# 1 and 2. What core may see, a layer at a time: mesh <- energy <- {solve, remesh, scene} <- method
-# <- run.
+# 1 and 2. What core may see, a layer at a time: mesh <- files; linear <- cone; {mesh, linear} <-
+# energy <- {solve, remesh <- multires, scene} <- method <- run.
 set(BASE "${PLAIN}|${CORE}|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
 set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
-set(ENERGY "${MESH}|core/energy/.*")
-set(SCENE "${ENERGY}|core/scene/.*")
-set(METHOD "${SCENE}|core/(solve|remesh|method)/.*")
+set(FILES "${MESH}|core/files/.*")
+set(LINEAR "${BASE}|core/linear/.*")
+set(ENERGY "${MESH}|core/linear/sparse_symmetric\\.h|core/energy/.*")
+set(REMESH "${ENERGY}|core/remesh/.*")
+set(SCENE "${ENERGY}|core/files/.*|core/scene/.*")
+set(METHOD "${REMESH}|core/(solve|multires|cone|method)/.*|core/scene/parameters\\.h")
 may_include("core/mesh/.*" "${MESH}|<CGAL/.*>")
+may_include("core/files/.*" "${FILES}|<CGAL/.*>")
+may_include("core/linear/.*" "${LINEAR}|<(suitesparse/)?cholmod\\.h>")
+may_include("core/cone/.*" "${LINEAR}|core/cone/.*")
 may_include("core/energy/.*" "${ENERGY}")
-may_include("core/solve/.*" "${ENERGY}|core/solve/.*|<(suitesparse/)?cholmod\\.h>")
-may_include("core/remesh/.*" "${ENERGY}|core/remesh/.*")
+may_include("core/solve/.*" "${ENERGY}|core/(linear|solve)/.*")
+may_include("core/remesh/.*" "${REMESH}")
+may_include("core/multires/.*" "${REMESH}|core/multires/.*")
 may_include("core/scene/.*" "${SCENE}")
 may_include("core/outline/.*" "${MESH}|core/outline/.*|${IMAGE_CODECS}|<CGAL/.*>")
-may_include("core/method/.*" "${METHOD}")
+may_include("core/method/.*" "${METHOD}|core/files/text_lines\\.h")
 may_include("core/run/.*" "${METHOD}|core/run/.*")
 may_include("core/[^/]+" "${BASE}|core/mesh/.*")
 
 # 1. What the renderer and the application may see.
-set(RENDER_OF_CORE "core/(error|iteration|snapshot|data_path|atomic_file|mesh/triangle)\\.h")
+set(RENDER_OF_CORE "core/(error|handle|iteration|snapshot|data_path|files/atomic_file|mesh/triangle)\\.h")
 set(GRAPHICS "<(glad/gl|GL/osmesa|imgui)\\.h>|<glm/.*>")
 may_include("render/.*" "${PLAIN}|${RENDER_OF_CORE}|render/.*|${GRAPHICS}|${IMAGE_CODECS}|<Eigen/.*>")
 set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|view_options)\\.h|app/editor/.*")
@@ -82,9 +89,9 @@ may_include("app/cli[^/]*" "${BASE}|<CLI/CLI\\.hpp>|core/.*|render/.*|app/(bench
 only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
 only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui belongs to app/gui")
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
-only_in("core/solve/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
+only_in("core/linear/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
         "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")
-only_in("core/(mesh/(orientation|ply_reader)|outline/triangulate)\\.cpp" "<CGAL/"
+only_in("core/(mesh/orientation|files/ply_reader|outline/triangulate)\\.cpp" "<CGAL/"
         "CGAL belongs to three files")
 only_in("app/cli_[a-z_]+\\.cpp" "<CLI/" "CLI11 belongs to the command line")
 set(cli11_files "")

@@ -9,6 +9,7 @@
 #include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
 #include "core/method/satisfied.h"
+#include "core/run/active_part.h"
 #include "core/run/run.h"
 #include "core/stage_times.h"
 
@@ -79,7 +80,7 @@ BenchRow run_job(const BenchJob& job, const std::stop_token& token) {
   row.parameters = job.parameters;
   row.vertices = static_cast<int>(scene.rest.cols());
   row.faces = static_cast<int>(scene.triangles.cols());
-  row.diagonal = bounding_box_diagonal(scene.rest);
+  row.diagonal = active_diagonal(scene.triangles, scene.rest, scene.handles);
   try {
     run_to_its_end(job, token, row);
   } catch (const std::exception& error) {

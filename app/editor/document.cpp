@@ -8,6 +8,7 @@
 #include "core/energy/densities.h"
 #include "core/energy/constraints.h"
 #include "core/method/satisfied.h"
+#include "core/run/active_part.h"
 #include "core/run/original_edges.h"
 
 namespace foldless {
@@ -107,13 +108,15 @@ Vec2 position_of(const Document& document, const Handle& handle) {
 
 double target_tolerance(const Document& document) {
   if (document.is_empty()) return 0;
-  return std::sqrt(kSatisfied) * bounding_box_diagonal(document.original->rest);
+  return std::sqrt(kSatisfied) * 
+         active_diagonal(*document.pose->triangles, *document.pose->rest, document.handles);
 }
 
 bool is_at_targets(const Document& document) {
   if (document.handles.empty()) return true;
   const double error =
       handle_error_squared(constraints_of(document.handles), document.pose->deformed);
+  if (error == 0) return true;  // without a look at the mesh
   const double tolerance = target_tolerance(document);
   return error <= tolerance * tolerance;
 }

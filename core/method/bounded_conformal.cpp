@@ -17,7 +17,7 @@ constexpr double kFirstStep = 0.1;         ///< of λ, and the largest
 constexpr double kSmallestStep = 1e-3;
 constexpr double kStepGrowth = 1.5;
 constexpr double kEnergyGain = 1e-3;    ///< least relative decrease that asks for another program
-constexpr double kEnergyFloor = 1e-12;  ///< of the same, absolute
+constexpr double kEnergyFloor = 1e-12;  ///< of the same, absolute [D²]
 constexpr double kFrameChange = 1e-4;   ///< least turn of a frame that does [rad]
 constexpr int kMostImprovements = 30;
 /// A start map must leave this much of K, so that its own frames have a map strictly inside.
@@ -162,7 +162,8 @@ Steps<Outcome> BoundedConformal::improve() {
       co_yield record(before);
       co_return end(Outcome::step, words());
     }
-    const bool gains = energy - next > kEnergyGain * energy + kEnergyFloor;
+    const double floor = kEnergyFloor * system_.diagonal() * system_.diagonal();
+    const bool gains = energy - next > kEnergyGain * energy + floor;
     const double turn = accept(std::move(trial.u));
     ++updates_;
     energy = next;

@@ -7,6 +7,7 @@
 #include "core/mesh/components.h"
 #include "core/error.h"
 #include "core/mesh/quality.h"
+#include "core/method/satisfied.h"
 
 namespace foldless {
 namespace {
@@ -66,7 +67,8 @@ ConformalSystem::ConformalSystem(const Problem& problem, std::string_view method
     : solver(0, {}),
       density_(problem.energy),
       rest_(problem.mesh.rest()),
-      triangles_(problem.mesh.triangles()) {
+      triangles_(problem.mesh.triangles()),
+      diagonal_(bounding_box_diagonal(rest_)) {
   const QuadraticEnergy* energy = find_quadratic(*density_);
   if (!energy)
     throw Error("method '" + std::string(method) + "' has no energy '" +
@@ -80,22 +82,22 @@ ConformalSystem::ConformalSystem(const Problem& problem, std::string_view method
 void ConformalSystem::find_unknowns(const Problem& problem) {
   for (const Handle& handle : problem.handles)
     hard_vertices_.push_back(handle.kind == HandleKind::soft ? -1 : handle.vertex);
-  node_of_vertex_.assign(static_cast<std::size_t>(problem.mesh.vertex_count()), -1);
+  std::vector<int> node_of_vertex(static_cast<std::size_t>(problem.mesh.vertex_count()), -1);
   for (int v = 0; v < problem.mesh.vertex_count(); ++v) {
     if (std::ranges::find(hard_vertices_, v) != hard_vertices_.end()) continue;
-    node_of_vertex_[static_cast<std::size_t>(v)] = static_cast<int>(vertex_of_node_.size());
+    node_of_vertex[static_cast<std::size_t>(v)] = static_cast<int>(vertex_of_node_.size());
     vertex_of_node_.push_back(v);
   }
   for (const auto& t : triangles_.colwise()) {
     FreeTriangle triangle{t, {}, signed_area(rest_, t), {}};
     for (int j = 0; j < 3; ++j)
-      triangle.nodes[static_cast<std::size_t>(j)] = node_of_vertex_[static_cast<std::size_t>(t[j])];
+      triangle.nodes[static_cast<std::size_t>(j)] = node_of_vertex[static_cast<std::size_t>(t[j])];
     if (std::ranges::all_of(triangle.nodes, [](int node) { return node < 0; })) {
       held_.push_back(t);
       continue;
     }
     triangle.B = derivative_matrix(
-        hat_gradients(rest_.col(t[0]), rest_.col(t[1]), rest_.col(t[2]), triangle.area));
+        diagonal_ * hat_gradients(rest_.col(t[0]), rest_.col(t[1]), rest_.col(t[2]), triangle.area));
     free_.push_back(triangle);
   }
 }
@@ -153,16 +155,17 @@ ConeProgram ConformalSystem::program(const Points& u, const Points& targets,
     const Eigen::Vector4d target(term.z_target.real(), term.z_target.imag(),
                                  term.zbar_target.real(), term.zbar_target.imag());
     const Eigen::Vector4d weights(term.z_weight, term.z_weight, term.zbar_weight, term.zbar_weight);
+    const double area = triangle.area / (diagonal_ * diagonal_);
     const Eigen::Matrix<double, 6, 4> BD =
-        2 * triangle.area * triangle.B.transpose() * weights.asDiagonal();
+        2 * area * triangle.B.transpose() * weights.asDiagonal();
     e.nodes = triangle.nodes;
-    e.weight = triangle.area;
+    e.weight = area;
     e.P = BD * triangle.B;
     e.q = -BD * target;
     e.G = term.R * triangle.B;
     for (int j = 0; j < 3; ++j) {
       if (triangle.nodes[static_cast<std::size_t>(j)] >= 0) continue;
-      const Vec2 held = u.col(triangle.vertices[j]);
+      const Vec2 held = u.col(triangle.vertices[j]) / diagonal_;
       e.q += e.P.middleCols<2>(2 * j) * held;
       e.g += e.G.middleCols<2>(2 * j) * held;
     }
@@ -170,14 +173,14 @@ ConeProgram ConformalSystem::program(const Points& u, const Points& targets,
   for (const Spring& spring : springs_) {
     ConeElement& e = program[spring.triangle];
     e.P.diagonal().segment<2>(2 * spring.corner).array() += 2 * spring.stiffness;
-    e.q.segment<2>(2 * spring.corner) -= 2 * spring.stiffness * targets.col(spring.handle);
+    e.q.segment<2>(2 * spring.corner) -= 2 * spring.stiffness * targets.col(spring.handle) / diagonal_;
   }
   return program;
 }
 
 Points ConformalSystem::moved(Points u, const Eigen::VectorXd& x) const {
   for (std::size_t node = 0; node < vertex_of_node_.size(); ++node)
-    u.col(vertex_of_node_[node]) = x.segment<2>(2 * static_cast<Eigen::Index>(node));
+    u.col(vertex_of_node_[node]) = diagonal_ * x.segment<2>(2 * static_cast<Eigen::Index>(node));
   return u;
 }
 

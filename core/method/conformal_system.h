@@ -44,11 +44,14 @@ class ConformalSystem {
   TriangleTerm energy_term(const Complex& frame) const;
   /// u with the hard handles at the targets.
   Points with_handles(Points u, const Points& targets) const;
+  /// D, the diagonal of the rest mesh: programs are in units of it, so that their tolerances are
+  /// the same whatever the unit of length. [length]
+  double diagonal() const { return diagonal_; }
   /// The program of the terms, with held vertices where `u` has them, and the soft handles'
   /// targets.
   ConeProgram program(const Points& u, const Points& targets,
                       const std::vector<TriangleTerm>& terms) const;
-  /// u with the unknowns replaced.
+  /// u with the unknowns replaced by those of a program.
   Points moved(Points u, const Eigen::VectorXd& x) const;
   /// The minimiser of the energy with the handles at the targets; it may fold. Nothing when
   /// cancelled.
@@ -88,7 +91,7 @@ class ConformalSystem {
   const Density* density_;
   Points rest_;
   Triangles triangles_;
-  std::vector<int> node_of_vertex_;  ///< −1 where held
+  double diagonal_;  ///< D
   std::vector<int> vertex_of_node_;
   std::vector<int> hard_vertices_;  ///< −1 for the soft among the handles
   std::vector<FreeTriangle> free_;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kProjectionTolerance = 1e-9;  ///< of the programs
 constexpr double kBoundSlack = 1e-6;           ///< relative, of the largest σ₁/σ₂ over K
-constexpr double kStagnation = 1e-12;          ///< ‖u_{n+1} − u_n‖²
+constexpr double kStagnation = 1e-12;          ///< ‖u_{n+1} − u_n‖² [D²]
 constexpr int kMostPrograms = 100;
 
 }  // namespace
@@ -61,7 +61,7 @@ Steps<Outcome> InjectiveProjection::solve() {
       mesh_.set_deformed(std::move(trial.u));
       ++updates_;
       const double step_squared = (mesh_.deformed() - before).squaredNorm();
-      ended = judge(programs == 0 ? 1 : step_squared, programs);
+      ended = judge(step_squared, programs);
     }
     co_yield record(before, programs);
     if (ended) co_return *ended;
@@ -104,7 +104,7 @@ std::optional<Outcome> InjectiveProjection::judge(double step_squared, int progr
   const int most = std::min(kMostPrograms, parameters_.inner_iterations);
   if (report.inverted + report.degenerate == 0 && system_.is_bounded(mesh_.deformed(), K))
     return end(Outcome::step, words);
-  if (step_squared < kStagnation)
+  if (programs > 0 && step_squared < kStagnation * system_.diagonal() * system_.diagonal())
     return end(Outcome::not_converged, "it no longer moves" + (words.empty() ? "" : ": " + words));
   if (programs >= most) return end(Outcome::iteration_limit, words);
   return std::nullopt;

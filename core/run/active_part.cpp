@@ -50,9 +50,9 @@ Places places(const std::vector<bool>& is_active, int part_count) {
 }  // namespace
 
 ActivePart::ActivePart(const MeshPair& whole, const std::vector<Handle>& handles)
-    : is_active_vertex_(active_vertices(whole.triangles(), whole.vertex_count(), handles)),
-      triangles_(whole.triangles()) {
-  for (const auto& t : triangles_.colwise()) is_active_face_.push_back(is_active_vertex_[at(t[0])]);
+    : whole_(whole),
+      is_active_vertex_(active_vertices(whole.triangles(), whole.vertex_count(), handles)) {
+  for (const auto& t : whole_.triangles().colwise()) is_active_face_.push_back(is_active_vertex_[at(t[0])]);
   faces_of_part_ = static_cast<int>(std::ranges::count(is_active_face_, true));
 }
 
@@ -66,9 +66,9 @@ Problem ActivePart::of(const Problem& problem) const {
   }
   Triangles triangles(3, faces_of_part_);
   Eigen::Index next = 0;
-  for (Eigen::Index f = 0; f < triangles_.cols(); ++f)
+  for (Eigen::Index f = 0; f < whole_.face_count(); ++f)
     if (is_active_face_[static_cast<std::size_t>(f)])
-      triangles.col(next++) = triangles_.col(f).unaryExpr([&](int v) { return part[at(v)]; });
+      triangles.col(next++) = whole_.triangles().col(f).unaryExpr([&](int v) { return part[at(v)]; });
 
   Problem cut{{}, problem.energy, problem.handles, problem.parameters, problem.original};
   cut.mesh = MeshPair(triangles, problem.mesh.rest()(Eigen::all, whole),
@@ -92,17 +92,17 @@ Triangles ActivePart::whole_triangles(const Triangles& part, int part_vertices) 
     whole.col(faces.of_part[static_cast<std::size_t>(f)]) =
         part.col(f).unaryExpr([&](int v) { return vertices.of_part[at(v)]; });
   for (std::size_t i = 0; i < faces.of_idle.size(); ++i)
-    whole.col(faces.of_idle[i]) = triangles_.col(faces.idle_then[i]).unaryExpr([&](int v) {
+    whole.col(faces.of_idle[i]) = whole_.triangles().col(faces.idle_then[i]).unaryExpr([&](int v) {
       return idle_vertex[at(v)];
     });
   return whole;
 }
 
-Points ActivePart::whole_points(const Points& part, const Points& before) const {
+Points ActivePart::whole_points(const Points& part, const Points& then) const {
   const Places vertices = places(is_active_vertex_, static_cast<int>(part.cols()));
   Points whole(2, vertices.count());
   whole(Eigen::all, vertices.of_part) = part;
-  whole(Eigen::all, vertices.of_idle) = before(Eigen::all, vertices.idle_then);
+  whole(Eigen::all, vertices.of_idle) = then(Eigen::all, vertices.idle_then);
   return whole;
 }
 

@@ -14,7 +14,6 @@ namespace foldless {
 /// removes more than it added, later vertices and triangles of the whole move up.
 class ActivePart {
  public:
-  ActivePart() = default;
   ActivePart(const MeshPair& whole, const std::vector<Handle>& handles);
 
   bool is_empty() const { return faces_of_part_ == 0; }
@@ -24,15 +23,18 @@ class ActivePart {
 
   /// The triangles of the whole with those of the part, 3 × #F of the part, as they are now.
   Triangles whole_triangles(const Triangles& part, int part_vertices) const;
-  /// Points of the whole, those of the part as they are now, 2 × #V of the part, and the others
-  /// from `before`, which are points of the whole that the part was made of.
-  Points whole_points(const Points& part, const Points& before) const;
+  /// Rest and deformed positions of the whole with those of the part, 2 × #V of the part, as they
+  /// are now.
+  Points whole_rest(const Points& part) const { return whole_points(part, whole_.rest()); }
+  Points whole_deformed(const Points& part) const { return whole_points(part, whole_.deformed()); }
 
  private:
-  std::vector<bool> is_active_vertex_;  ///< of the whole
+  Points whole_points(const Points& part, const Points& then) const;
+
+  MeshPair whole_;  ///< that the part was made of
+  std::vector<bool> is_active_vertex_;
   std::vector<bool> is_active_face_;
   int faces_of_part_ = 0;
-  Triangles triangles_;  ///< of the whole
 };
 
 /// D: the diagonal of the rest bounding box of the part that handles can move, the unit of every

@@ -9,11 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/injective.h"
 #include "core/method/method.h"
 #include "core/method/normalisation.h"
-#include "core/run/active_part.h"
-#include "core/run/original_edges.h"
+#include "core/run/publisher.h"
 #include "core/snapshot.h"
 
 namespace foldless {
@@ -24,10 +22,8 @@ using MethodStarter = std::function<std::unique_ptr<Method>(Problem problem)>;
 /// Starts the method that the problem's parameters name. Throws Error when there is none.
 std::unique_ptr<Method> start_method(Problem problem);
 
-/// A method on a problem in input units: cuts out the active part, normalises it, steps, and turns
-/// what it reaches into snapshots of the whole mesh in input units that were proved locally injective
-/// with exact predicates; where the method may fold, a snapshot says what is wrong with it. Where
-/// nothing is active the run has ended before it began.
+/// A method on a problem in input units: it solves the active part, normalised, and a Publisher makes
+/// proved snapshots of what it reaches. Where nothing is active the run has ended before it began.
 /// Not thread-safe: one thread at a time may call it.
 class Run {
  public:
@@ -61,31 +57,20 @@ class Run {
   /// The problem that goes on from the last valid state.
   Problem resumed() const;
   /// The frame that the method works in.
-  const Normalisation& normalisation() const { return normalisation_; }
+  const Normalisation& normalisation() const { return publisher_->normalisation(); }
   /// Where the processor time went so far.
   StageTimes times() const { return method_ ? method_->times() : StageTimes(); }
 
  private:
-  void begin(Problem whole);
-  void normalise(Problem& part);
-  void adopt_connectivity(const MeshPair& part);
-  void publish(Points part, const std::optional<Iteration>& iteration);
-  std::shared_ptr<const Snapshot> with_new_targets(const Snapshot& snapshot) const;
+  std::shared_ptr<const Snapshot> with_handles(const Snapshot& snapshot) const;
 
   const MethodStarter start_method_;
-  bool may_fold_;
   const Density* energy_;
   Parameters parameters_;
   std::vector<Handle> handles_;
   OriginalMesh original_;
-  OriginalEdges original_edges_;
-  ActivePart part_;  ///< of the mesh that the method began with
-  Points rest_before_, deformed_before_;  ///< that mesh, input units
-  Normalisation normalisation_;
-  double diagonal_;             ///< D, input units
-  InjectivityChecker checker_{{}, 0};  ///< of the triangles of the part
-  bool is_rest_injective_ = true;
-  Snapshot common_;  ///< what every snapshot of one connectivity has in common
+  double diagonal_;  ///< D, input units
+  std::optional<Publisher> publisher_;
   std::unique_ptr<Method> method_;  ///< null where nothing can move
   std::shared_ptr<const Snapshot> snapshot_;
   std::shared_ptr<const Snapshot> valid_;  ///< the last that was valid

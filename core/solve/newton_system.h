@@ -6,8 +6,8 @@
 #include <stop_token>
 
 #include "core/energy/objective.h"
-#include "core/linear/cholesky.h"
 #include "core/solve/effort.h"
+#include "core/solve/hessian_factor.h"
 
 namespace foldless {
 
@@ -25,8 +25,7 @@ class NewtonSystem {
   /// `constraints` tells which vertices have hard handles. `effort` outlives the system.
   NewtonSystem(const MeshPair& mesh, const Constraints& constraints, Effort& effort);
 
-  /// Follows a changed connectivity with the same hard handles. The fill-reducing ordering is kept
-  /// until more than 2 % of the edges changed, when it begins to cost more than a new one.
+  /// Follows a changed connectivity with the same hard handles.
   void rebuild(const MeshPair& mesh, const Constraints& constraints, int changed_edges);
   /// The same where `flips` edges were flipped and nothing else.
   void follow_flips(const MeshPair& mesh, int flips);
@@ -44,7 +43,7 @@ class NewtonSystem {
   const EnergyTerms& energy() const { return first_order_.energy; }
   const Eigen::VectorXd& gradient() const { return first_order_.gradient; }
   /// True when the factor of ∇²E itself, as last assembled, is at hand.
-  bool has_plain_factor() const { return plain_factor_ && cholesky_.has_factor(); }
+  bool has_plain_factor() const { return factor_.is_exact(); }
   /// Factorizes ∇²E + μI as last assembled; false when it is not positive definite. Counts H.
   bool factorize(double mu);
   /// True when ∇²E itself is positive definite; its factor then serves the next solve.
@@ -69,38 +68,20 @@ class NewtonSystem {
   /// ∇E · step.
   double slope(const Points& step) const;
   /// Says that the vertices moved: what was assembled and factorized is out of date.
-  void moved() { plain_factor_ = false; }
+  void moved() { factor_.outdate(); }
   /// Says that ∇²E changed too much for its factor to serve another step.
-  void outdate_factor() { is_factor_near_ = false; }
+  void outdate_factor() { factor_.set_far(); }
 
  private:
-  /// What a Hessian is of, as far as an earlier factor cannot make up for it.
-  struct HessianKind {
-    const Density* density = nullptr;
-    double beta = 0;
-    Reference reference = Reference::rest;
-    bool held = false;
-    bool operator==(const HessianKind&) const = default;
-  };
-
   void outdate_pattern(const MeshPair& mesh, int changed_edges);
-  void analyze();
-  bool is_factor_near() const;
   std::optional<LaggedStep> lagged_step(const Eigen::VectorXd& right_hand_side, double least_gain);
 
   Effort* effort_;
   Objective objective_;
-  SparseSymmetric hessian_;
-  HessianKind kind_;  ///< of ∇²E as assembled
+  Hessian hessian_;
+  bool has_pattern_ = false;  ///< hessian_ has that of the connectivity as it is
   EnergyGradient first_order_;
-  Cholesky cholesky_;
-  HessianKind kind_of_factor_;
-  bool has_pattern_ = false;  ///< of the connectivity as it is
-  bool pattern_analyzed_ = false;
-  bool plain_factor_ = false;
-  bool is_factor_near_ = false;  ///< to ∇²E, as far as is known
-  int edges_changed_since_ordering_ = 0;
-  int edge_count_ = 0;
+  HessianFactor factor_;
   double lambda_;
 };
 

@@ -52,7 +52,6 @@ class ScriptedMethod final : public Method {
   ScriptedMethod(Problem problem, std::shared_ptr<Script> script)
       : problem_(std::move(problem)), script_(std::move(script)) {}
 
-  std::unique_ptr<Method> clone() const override { return std::make_unique<ScriptedMethod>(*this); }
 
   std::optional<Iteration> step(std::stop_token token) override {
     if (outcome()) return std::nullopt;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/mesh/injective.h"
+#include "core/method/method.h"
+#include "core/method/normalisation.h"
+#include "core/run/active_part.h"
+#include "core/run/original_edges.h"
+#include "core/snapshot.h"
+
+namespace foldless {
+
+/// What lies between a mesh as its user has it and the one that a method solves: the active part,
+/// normalised. Turns what the method reaches into snapshots of the whole in input units, proved
+/// locally injective with exact predicates; where the method may fold, a snapshot says what is
+/// wrong with it.
+class Publisher {
+ public:
+  /// `problem` has its original mesh. Throws Error when its mesh is not locally injective.
+  Publisher(const Problem& problem, std::uint64_t generation);
+
+  /// True when no handle can move anything.
+  bool is_idle() const { return part_.is_empty(); }
+  /// The problem that a method solves. Throws Error when it is of a size that double precision does
+  /// not hold. Precondition: not idle.
+  Problem part_of(const Problem& problem) const;
+  const Normalisation& normalisation() const { return normalisation_; }
+
+  /// The mesh as the problem had it.
+  std::shared_ptr<const Snapshot> first() const { return first_; }
+  /// A mesh of the method; nothing where it is not locally injective in input units, unless
+  /// `may_fold` and its rest mesh is.
+  std::shared_ptr<Snapshot> publish(const MeshPair& mesh, bool may_fold);
+
+ private:
+  void adopt_connectivity(const Triangles& triangles, const Points& rest);
+  std::shared_ptr<Snapshot> snapshot_of(const Points& deformed, bool may_fold) const;
+
+  OriginalEdges original_edges_;
+  ActivePart part_;
+  Normalisation normalisation_;
+  InjectivityChecker checker_;  ///< of the triangles of the part
+  bool is_rest_injective_ = true;
+  Snapshot common_;  ///< what every snapshot of one connectivity has in common
+  std::shared_ptr<const Snapshot> first_;
+};
+
+}  // namespace foldless

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "core/energy/element.h"
+#include "core/linear/cholesky.h"
+#include "core/linear/conjugate_gradients.h"
+
+namespace foldless {
+
+/// What a Hessian is of, as far as an earlier factor cannot make up for it.
+struct HessianKind {
+  const Density* density = nullptr;
+  double beta = 0;
+  Reference reference = Reference::rest;
+  bool held = false;
+  bool operator==(const HessianKind&) const = default;
+};
+
+/// ∇²E as it was assembled last.
+struct Hessian {
+  SparseSymmetric matrix;
+  HessianKind kind;
+};
+
+/// The factor of a Hessian + μI, and what is known of how far it serves later ones. Copyable.
+class HessianFactor {
+ public:
+  /// Says that the matrix has another pattern from now on, that of a mesh of so many edges of which
+  /// some changed. The fill-reducing ordering of a small matrix is kept until more than 2 % of the
+  /// edges changed, when it begins to cost more than a new one.
+  void outdate_pattern(int edges, int changed_edges);
+  /// Orders and analyses the pattern where that is due.
+  void analyze(const SparseSymmetric& matrix);
+  /// False when the Hessian + μI is not positive definite. Precondition: it is analysed.
+  bool factorize(const Hessian& hessian, double mu);
+  /// Solves with the factor. Precondition: the last factorization succeeded.
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) {
+    return cholesky_.solve(right_hand_side);
+  }
+
+  /// True when it is the factor of ∇²E itself as assembled last.
+  bool is_exact() const { return is_exact_ && cholesky_.has_factor(); }
+  /// Says that another ∇²E was assembled, or that the vertices moved.
+  void outdate() { is_exact_ = false; }
+  /// Says that ∇²E changed too much for the factor to serve another step.
+  void set_far() { is_near_ = false; }
+  /// Solves hessian x = b by conjugate gradients from this factor; nothing where it is of another
+  /// kind of Hessian or known to be too far from it, or turns out to be.
+  std::optional<ConjugateGradientSolution> solve_later(const Hessian& hessian,
+                                                       const Eigen::VectorXd& b,
+                                                       double least_gain);
+  bool is_near(const HessianKind& kind) const {
+    return is_near_ && cholesky_.has_factor() && kind == kind_;
+  }
+
+ private:
+  Cholesky cholesky_;
+  HessianKind kind_;
+  bool is_analyzed_ = false;
+  bool is_exact_ = false;
+  bool is_near_ = false;  ///< to ∇²E, as far as is known
+  int edges_ = 0;
+  int edges_changed_since_ordering_ = 0;
+};
+
+}  // namespace foldless
