@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Functions that scripts/run, scripts/test and scripts/tidy share. Source it; it does nothing itself.
+# Functions that the scripts of this folder share. Source it; it does nothing itself.
 
 project_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -56,16 +56,24 @@ install_packages() {
     "${missing[*]}: check the network and /etc/apt/sources.list, then run this again"
 }
 
-# configure PRESET: runs cmake where it has not run or the presets have changed since. Later changes
-# of CMake files are noticed by the build itself.
-configure() {
-  local build_dir="$project_dir/build/$1" launcher=()
-  [ "$build_dir/build.ninja" -nt "$project_dir/CMakePresets.json" ] && return
+# configure_in DIR PRESET [OPTION...]: runs cmake in a source tree, quietly, with ccache where it is
+# installed.
+configure_in() {
+  local source_dir=$1 preset=$2 launcher=()
+  shift 2
   if command -v ccache >/dev/null; then
     launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   fi
+  (cd "$source_dir" && cmake --preset "$preset" --log-level=WARNING "${launcher[@]}" "$@" >/dev/null)
+}
+
+# configure PRESET: runs cmake where it has not run or the presets have changed since. Later changes
+# of CMake files are noticed by the build itself.
+configure() {
+  local build_dir="$project_dir/build/$1"
+  [ "$build_dir/build.ninja" -nt "$project_dir/CMakePresets.json" ] && return
   say "configuring build/$1"
-  (cd "$project_dir" && cmake --preset "$1" --log-level=WARNING "${launcher[@]}" >/dev/null)
+  configure_in "$project_dir" "$1"
   touch "$build_dir/build.ninja"
 }
 
