@@ -145,8 +145,8 @@ void Worker::wait_for_something_to_do(std::unique_lock<std::mutex>& lock,
   const auto has_messages = [this] { return !inbox_.is_empty(); };
   if (!can_iterate())
     changed_.wait(lock, stopping, has_messages);
-  else if (period_ && !step_)
-    changed_.wait_until(lock, stopping, last_start_ + *period_, has_messages);
+  else if (period_ && last_start_ && !step_)
+    changed_.wait_until(lock, stopping, *last_start_ + *period_, has_messages);
 }
 
 bool Worker::can_iterate() const {

@@ -136,7 +136,7 @@ class Worker {
   bool step_ = false;
   std::string error_;
   std::optional<Clock::duration> period_;
-  Clock::time_point last_start_;
+  std::optional<Clock::time_point> last_start_;  ///< of an iteration
 
   std::jthread thread_;  ///< last, so that it is joined before anything else goes
 };
