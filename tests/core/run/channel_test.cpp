@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <future>
 #include <thread>
 
 namespace foldless {
@@ -32,6 +34,36 @@ TEST(Channel, ReadersSeeWholeValuesInOrder) {
     ASSERT_GE(value->first, last);
     last = value->first;
   }
+}
+
+TEST(Channel, EveryReaderGetsTheNewestValue) {
+  Channel<Pair> channel;
+  for (int k = 1; k <= 3; ++k) {
+    const auto value = std::make_shared<const Pair>(Pair{k, -k});
+    channel.publish(value);
+    EXPECT_EQ(channel.latest(), value);
+    EXPECT_EQ(channel.latest(), value);
+  }
+}
+
+TEST(Channel, NobodyWaitsForTheEndOfAnOldValue) {
+  Channel<Pair> channel;
+  bool was_read_meanwhile = false;
+  const auto end = [&](const Pair* pair) {
+    std::promise<void> read;
+    std::jthread reader([&] {
+      channel.latest();
+      read.set_value();
+    });
+    was_read_meanwhile =
+        read.get_future().wait_for(std::chrono::seconds(30)) == std::future_status::ready;
+    // A reader that is locked out could not be joined before the value has ended.
+    if (!was_read_meanwhile) std::abort();
+    delete pair;
+  };
+  channel.publish(std::shared_ptr<const Pair>(new Pair, end));
+  channel.publish(std::make_shared<const Pair>());
+  EXPECT_TRUE(was_read_meanwhile);
 }
 
 }  // namespace

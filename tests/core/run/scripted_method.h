@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -23,7 +24,11 @@ struct Script {
   int length = 1 << 30;  ///< iterations until the outcome `gradient`
   /// What iteration k (from 1) does to the mesh, in the normalised frame.
   std::function<void(MeshPair&, int k)> change;
-  int stages = 1;  ///< looks at the stop token per iteration, as between factorizations
+  std::function<void(const Problem&)> start;  ///< called where a method starts, normalised
+  /// Called before each look at the stop token: what happens in it comes before the look.
+  std::function<void(const std::stop_token&)> look;
+  std::string verdict;  ///< told all the time
+  int stages = 1;       ///< looks at the stop token per iteration, as between factorizations
   std::chrono::microseconds stage_time{0};
   std::atomic<int> begun = 0;      ///< calls of step() that began to work
   std::atomic<int> cancelled = 0;  ///< of these, cancelled
@@ -57,6 +62,7 @@ class ScriptedMethod final : public Method {
     if (outcome()) return std::nullopt;
     ++script_->begun;
     for (int stage = 0; stage < script_->stages; ++stage) {
+      if (script_->look) script_->look(token);
       if (token.stop_requested()) {
         ++script_->cancelled;
         return std::nullopt;
@@ -74,6 +80,7 @@ class ScriptedMethod final : public Method {
     if (done_ >= script_->length) return Outcome::gradient;
     return std::nullopt;
   }
+  std::string verdict() const override { return script_->verdict; }
   const MeshPair& mesh() const override { return problem_.mesh; }
   void set_targets(const Points& targets) override {
     script_->saw(targets);
@@ -88,6 +95,7 @@ class ScriptedMethod final : public Method {
 
 inline MethodStarter starter_of(const std::shared_ptr<Script>& script) {
   return [script](Problem problem) {
+    if (script->start) script->start(problem);
     return std::make_unique<ScriptedMethod>(std::move(problem), script);
   };
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <unordered_set>
 
 namespace foldless {
@@ -61,6 +63,82 @@ TEST(Timeline, KeepsEveryRecordAndStaysBelowItsCap) {
     for (int i = 0; i < 3000; ++i)
       ASSERT_EQ(timeline.entries()[static_cast<std::size_t>(i)].record.inner, i);
     EXPECT_GT(timeline.bytes(), kCap / 8) << "thinned more than needed";
+  }
+}
+
+TEST(Timeline, CountsEveryArrayOfASnapshotAndSharedOnesOnce) {
+  Timeline timeline(std::size_t{1} << 20);
+  Snapshot first = *snapshot_of(100, nullptr);
+  first.flipped_edges = std::make_shared<const std::vector<Edge>>(7);
+  first.handles.resize(5);
+  for (int k = 0; k < 3; ++k) timeline.append({}, snapshot_of(100, &first));
+  const std::size_t own = 2 * 100 * sizeof(double) + 5 * sizeof(Handle) + sizeof(Snapshot);
+  const std::size_t shared = 2 * 100 * sizeof(double) + 3 * 200 * sizeof(int) + 7 * sizeof(Edge);
+  EXPECT_EQ(timeline.bytes(), 3 * own + shared);
+}
+
+TEST(Timeline, LetsEverySecondFourthEighthSnapshotStay) {
+  Timeline timeline(50'000);
+  const auto first = snapshot_of(100, nullptr);
+  std::size_t widest = 1;
+  for (int i = 0; i < 500; ++i) {
+    timeline.append({}, snapshot_of(100, first.get()));
+    std::size_t gap = 1;
+    while (gap < timeline.entries().size() && !timeline.entries()[gap].snapshot) ++gap;
+    ASSERT_TRUE(std::has_single_bit(gap)) << gap << " after " << i;
+    ASSERT_GE(gap, widest);
+    widest = gap;
+  }
+  EXPECT_GE(widest, 16U);
+}
+
+TEST(Timeline, MakesRoomForAWhile) {
+  constexpr std::size_t kCap = 50'000;
+  Timeline timeline(kCap);
+  const auto first = snapshot_of(100, nullptr);
+  int thinned = 0;
+  for (int i = 0; i < 500; ++i) {
+    const std::size_t before = timeline.bytes();
+    timeline.append({}, snapshot_of(100, first.get()));
+    if (timeline.bytes() > before) continue;
+    ++thinned;
+    EXPECT_LE(timeline.bytes(), kCap - kCap / 4) << i;
+  }
+  EXPECT_GT(thinned, 0);
+}
+
+TEST(Timeline, IsAsNewAfterAStart) {
+  const auto first = snapshot_of(100, nullptr);
+  const auto fill = [&](Timeline& timeline, int count) {
+    for (int i = 0; i < count; ++i) timeline.append({}, snapshot_of(100, first.get()));
+  };
+  Timeline fresh(50'000);
+  fill(fresh, 10);
+  Timeline cleared(50'000);
+  fill(cleared, 300);
+  cleared.clear();
+  EXPECT_EQ(cleared.bytes(), 0U);
+  fill(cleared, 10);
+  EXPECT_EQ(cleared.bytes(), fresh.bytes());
+  fill(fresh, 40);
+  fill(cleared, 40);
+  EXPECT_EQ(cleared.bytes(), fresh.bytes());
+  EXPECT_EQ(kept(cleared), kept(fresh));
+}
+
+TEST(Timeline, GivesTheEntriesFromAnIndexOn) {
+  Timeline timeline(50'000);
+  for (int i = 0; i < 4; ++i) {
+    Iteration record;
+    record.inner = i;
+    timeline.append(record, nullptr);
+  }
+  for (int first = 0; first <= 5; ++first) {
+    const auto rest = timeline.from(static_cast<std::size_t>(first));
+    ASSERT_EQ(static_cast<int>(rest.size()), std::max(4 - first, 0));
+    if (!rest.empty()) {
+      EXPECT_EQ(rest.front().record.inner, first);
+    }
   }
 }
 

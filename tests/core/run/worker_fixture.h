@@ -34,6 +34,13 @@ inline bool takes_up(const Worker& worker, std::uint64_t generation) {
 
 inline bool is_valid(const Snapshot& s) { return is_injective(*s.triangles, *s.rest, s.deformed); }
 
+/// Targets of the two handles of grid_problem().
+inline Points targets_at(const Vec2& target) {
+  Points targets = Points::Zero(2, 2);
+  targets.col(1) = target;
+  return targets;
+}
+
 /// A worker whose method follows a script.
 struct ScriptedWorker {
   std::shared_ptr<Script> script = std::make_shared<Script>();

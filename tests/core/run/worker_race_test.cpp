@@ -19,12 +19,7 @@ using test::Script;
 using test::ScriptedWorker;
 using test::starter_of;
 using test::takes_up;
-
-Points targets_at(const Vec2& target) {
-  Points targets = Points::Zero(2, 2);
-  targets.col(1) = target;
-  return targets;
-}
+using test::targets_at;
 
 TEST(WorkerRace, AMovedTargetReachesTheSolverWithinOneIteration) {
   ScriptedWorker scripted;
@@ -45,22 +40,6 @@ TEST(WorkerRace, AMovedTargetReachesTheSolverWithinOneIteration) {
     // At most the iteration that ran, or one that began as the message was being posted.
     EXPECT_LE(script.begun_when_seen(seen), begun + 1);
   }
-}
-
-TEST(WorkerRace, AStreamOfTargetsDoesNotHoldUpTheSolver) {
-  ScriptedWorker scripted;
-  Worker& worker = scripted.worker;
-  scripted.script->stages = 10;
-  scripted.script->stage_time = 500us;
-  worker.load(grid_problem(3, Vec2(2, 2)));
-  worker.run();
-  // Targets come much faster than iterations end.
-  int k = 0;
-  EXPECT_TRUE(eventually([&] {
-    worker.set_targets(targets_at(Vec2(2 + 1e-4 * ++k, 2)));
-    return worker.timeline().size() >= 10;
-  }));
-  EXPECT_GT(scripted.script->cancelled, 0);
 }
 
 TEST(WorkerRace, OnlyTheNewestOfManyTargetsCounts) {
