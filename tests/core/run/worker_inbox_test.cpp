@@ -123,8 +123,13 @@ struct LateWorker : HeldWorker {
   ~LateWorker() { gate.open(); }
 };
 
-TEST(WorkerInbox, AnIterationThatEndsAfterALoadIsNotRecorded) {
+TEST(WorkerInbox, AnIterationThatEndsAfterALoadIsNeitherRecordedNorShown) {
+  bool was_shown = false;
   LateWorker held;
+  held.wake = [&] {
+    const auto latest = held.worker.latest();
+    if (latest && latest->iteration) was_shown = true;
+  };
   held.worker.load(problem());
   held.worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
@@ -132,6 +137,7 @@ TEST(WorkerInbox, AnIterationThatEndsAfterALoadIsNotRecorded) {
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());
   EXPECT_TRUE(held.worker.timeline().empty());
+  EXPECT_FALSE(was_shown);
 }
 
 TEST(WorkerInbox, AnIterationThatEndsAfterTheTimelineWasClearedIsNotRecorded) {
