@@ -2,6 +2,8 @@
 // What becomes of several messages that come during one iteration, which is held meanwhile.
 #include <gtest/gtest.h>
 
+#include <mutex>
+
 #include "tests/core/run/held_worker.h"
 
 namespace foldless {
@@ -15,8 +17,16 @@ using test::targets_at;
 
 Problem problem() { return grid_problem(3, Vec2(2, 2)); }
 
-/// A worker that notes what its methods were started on.
-struct NotingWorker : HeldWorker {
+/// What methods were started on.
+struct Notes {
+  std::mutex mutex;
+  const Density* energy = nullptr;
+  Parameters parameters;
+  int started = 0;
+};
+
+/// A worker that notes what its methods are started on.
+struct NotingWorker : Notes, HeldWorker {
   NotingWorker() {
     script->start = [this](const Problem& problem) {
       std::lock_guard lock(mutex);
@@ -25,7 +35,6 @@ struct NotingWorker : HeldWorker {
       ++started;
     };
   }
-  ~NotingWorker() { gate.open(); }
 
   /// Loads the problem and runs it up to the gate in its first iteration.
   bool runs(const Problem& problem) {
@@ -33,11 +42,6 @@ struct NotingWorker : HeldWorker {
     worker.run();
     return gate.holds_the_solver();
   }
-
-  std::mutex mutex;
-  const Density* energy = nullptr;
-  Parameters parameters;
-  int started = 0;
 };
 
 TEST(WorkerInbox, ALoadDropsTheTargetsAndParametersBeforeIt) {
@@ -120,7 +124,6 @@ struct LateWorker : HeldWorker {
     script->look = nullptr;
     script->change = [this](MeshPair&, int) { gate.pass(); };
   }
-  ~LateWorker() { gate.open(); }
 };
 
 TEST(WorkerInbox, AnIterationThatEndsAfterALoadIsNeitherRecordedNorShown) {
