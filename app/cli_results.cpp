@@ -58,9 +58,9 @@ void make_folder(const fs::path& folder) {
   if (!fs::is_directory(folder)) throw Error(folder.string() + ": is not a folder");
 }
 
-Results::Results(fs::path folder, std::optional<FigureOptions> figure)
+Results::Results(fs::path folder, const std::optional<FigureOptions>& figure)
     : folder_(std::move(folder)) {
-  if (figure) figure_ = frame_figure_ = *std::move(figure);
+  if (figure) figure_ = frame_figure_ = *figure;
   // A context first: without one nothing is to be written.
   if (figure) renderer_ = std::make_unique<FigureRenderer>();
   make_folder(folder_);

@@ -19,7 +19,7 @@ class Results {
   /// Makes the folder and removes the frames and the picture of an earlier run from it. With
   /// `figure` there are pictures as well. Throws Error when the folder cannot be made or written
   /// to.
-  Results(std::filesystem::path folder, std::optional<FigureOptions> figure);
+  Results(std::filesystem::path folder, const std::optional<FigureOptions>& figure);
 
   /// Writes the next of frames/000000.obj …: M′ with the rest positions as `vt`, and its picture.
   void add_frame(const Snapshot& snapshot);

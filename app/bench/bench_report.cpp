@@ -124,10 +124,12 @@ TextTable rows_table(std::span<const BenchRow> rows) {
 
 TextTable rows_csv_table(std::span<const BenchRow> rows) {
   std::vector<std::string> titles;
+  titles.reserve(kColumns.size());
   for (const Column& column : kColumns) titles.emplace_back(column.name);
   TextTable table(std::move(titles));
   for (const BenchRow& row : rows) {
     std::vector<std::string> cells;
+    cells.reserve(kColumns.size());
     for (const Column& column : kColumns) cells.push_back(cell_of(column.value(row)));
     table.add(std::move(cells));
   }

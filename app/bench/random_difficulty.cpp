@@ -39,14 +39,20 @@ double distance_to(const std::vector<int>& vertices, const Points& points, const
   return distance;
 }
 
-/// Adds handles one by one, each the best of six random vertices: far from the others and, by
-/// `pull`, much moved. Vertices that `is_allowed` refuses are left out.
+/// Handles to add, and how much more those that are moved much are liked.
+struct Wish {
+  int count;
+  double pull;
+};
+
+/// Adds handles one by one, each the best of six random vertices: far from the others and, by the
+/// pull, much moved. Vertices that `is_allowed` refuses are left out.
 template <typename Allowed>
-void add_handles(RandomNumbers& random, RandomDeformation& deformation, int count, double pull,
+void add_handles(RandomNumbers& random, RandomDeformation& deformation, const Wish& wish,
                  const Allowed& is_allowed) {
   const Points& rest = deformation.mesh.shape.rest;
   std::vector<int> chosen;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < wish.count; ++i) {
     std::optional<int> best;
     double best_score = 0;
     for (int attempt = 0; attempt < 6; ++attempt) {
@@ -54,7 +60,7 @@ void add_handles(RandomNumbers& random, RandomDeformation& deformation, int coun
       if (!is_allowed(v)) continue;
       const Vec2 p = rest.col(v);
       const double room = std::min(distance_to(chosen, rest, p), deformation.mesh.diagonal);
-      const double score = room + pull * (deformation.map(p) - p).norm();
+      const double score = room + wish.pull * (deformation.map(p) - p).norm();
       if (room > 0 && score > best_score) {
         best_score = score;
         best = v;
@@ -93,7 +99,7 @@ void add_free_move(RandomNumbers& random, RandomDeformation& deformation,
 bool draw_free(RandomNumbers& random, RandomDeformation& deformation, const Amplitude& amplitude) {
   for (int i = 0; i < amplitude.moves; ++i) add_free_move(random, deformation, amplitude);
   const int count = random.integer(amplitude.least_handles, amplitude.largest_handles);
-  add_handles(random, deformation, count, 0.5, [](int) { return true; });
+  add_handles(random, deformation, {count, 0.5}, [](int) { return true; });
   return true;
 }
 
@@ -147,7 +153,7 @@ bool draw_fixed_boundary(RandomNumbers& random, RandomDeformation& deformation) 
   for (int i = 0; i < moves; ++i) add_inner_move(random, deformation);
   hold_boundary(deformation);
   const std::size_t held = deformation.handles.size();
-  add_handles(random, deformation, random.integer(3, 10), 3,
+  add_handles(random, deformation, {random.integer(3, 10), 3},
               [&](int v) { return !deformation.mesh.is_boundary[static_cast<std::size_t>(v)]; });
   return deformation.handles.size() >= held + 3;
 }
@@ -191,7 +197,7 @@ bool draw_crossing(RandomNumbers& random, RandomDeformation& deformation) {
     deformation.handles.push_back(b);
   }
   if (deformation.handles.empty()) return false;
-  add_handles(random, deformation, random.integer(1, 4), 0, is_new);
+  add_handles(random, deformation, {random.integer(1, 4), 0}, is_new);
   return true;
 }
 

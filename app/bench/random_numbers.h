@@ -25,7 +25,7 @@ class RandomNumbers {
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
   /// An integer in [low, high].
   int integer(int low, int high) {
-    return low + static_cast<int>(below(static_cast<std::size_t>(high - low + 1)));
+    return low + static_cast<int>(below(static_cast<std::size_t>(high - low) + 1));
   }
   /// −1 or 1.
   double sign() { return next() % 2 == 0 ? -1 : 1; }

@@ -109,7 +109,7 @@ class Editor {
   /// Opens a scene as a copy without a path: saving asks where to, and it is not a recent file.
   void open_sample(const std::filesystem::path& path);
   /// Opens a mesh that was made, not read; unsaved changes are dropped. Precondition: valid.
-  void open_shape(Shape shape, std::string name);
+  void open_shape(Shape shape, const std::string& name);
   void new_document();
   void save();
   /// Writes a scene file; `.json` is added where the name has no extension. False when that fails.
@@ -245,7 +245,7 @@ class Editor {
   void edit(std::string label, Document document, Change change);
   void change_parameters(const std::string& label, Document document);
   void restore(const Document& document);
-  void install(Document document, std::string label);
+  void install(const Document& document, std::string label);
   void load(const PendingAction& action);
   void ask_or_perform(PendingAction action);
   void open_scene(const std::filesystem::path& path);

@@ -59,7 +59,7 @@ void Editor::ask_or_perform(PendingAction action) {
   redraw();
 }
 
-void Editor::open_shape(Shape shape, std::string name) {
+void Editor::open_shape(Shape shape, const std::string& name) {
   cancel_gesture();
   install(document_of(std::move(shape), name), "Open " + name);
   path_.clear();
@@ -125,7 +125,7 @@ void Editor::open_scene(const std::filesystem::path& path) {
   if (!is_at_targets(document_)) solving_.start(document_);
 }
 
-void Editor::install(Document document, std::string label) {
+void Editor::install(const Document& document, std::string label) {
   history_.reset(std::move(label), document);
   last_change_.reset();
   selection_.clear();
