@@ -35,7 +35,7 @@ Snapshot snapshot_of(const Problem& problem) {
   return snapshot;
 }
 
-Subject subject_of(LoadedScene loaded) {
+Subject subject_of(const LoadedScene& loaded) {
   print_notices(loaded.notices);
   const Scene& scene = loaded.scene;
   Subject subject{snapshot_of(problem_of(scene)), std::nullopt};

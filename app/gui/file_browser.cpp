@@ -129,7 +129,7 @@ void FileBrowser::draw(const Look& look) {
 }
 
 void FileBrowser::draw_breadcrumbs(const Look& look) {
-  if (icon_button("up", Icon::up, "Parent folder (Backspace)", look))
+  if (icon_button({"up", Icon::up, "Parent folder (Backspace)"}, look))
     enter(listing_.folder.parent_path());
   std::filesystem::path folder, chosen;
   for (const auto& part : listing_.folder) {

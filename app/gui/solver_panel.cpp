@@ -133,7 +133,8 @@ void draw_parameter(const ParameterRow& row, Editor& editor, const Look& look) {
   tooltip(words, look);
   if (changed) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
-    if (icon_button("reset", Icon::reset, "Back to the default", look)) editor.reset_parameter(row);
+    if (icon_button({"reset", Icon::reset, "Back to the default"}, look))
+      editor.reset_parameter(row);
   }
   ImGui::PopID();
 }

@@ -17,7 +17,7 @@ void command_icon(const char* name, Icon icon, Editor& editor, const Look& look)
   const std::string key = shortcut_words(*command);
   const std::string tip = std::string(command->title) + (key.empty() ? "" : " (" + key + ")");
   ImGui::BeginDisabled(!is_available(*command, editor));
-  if (icon_button(name, icon, tip, look)) editor.run_command(name);
+  if (icon_button({name, icon, tip}, look)) editor.run_command(name);
   ImGui::EndDisabled();
   ImGui::SameLine();
 }
@@ -28,8 +28,11 @@ void draw_transport(Editor& editor, const Look& look) {
   const bool is_solving =
       editor.race().is_open() ? editor.race().is_playing() : editor.is_solving();
   ImGui::BeginDisabled(editor.document().is_empty());
-  if (icon_button("toggle", is_solving ? Icon::pause : Icon::play,
-                  is_solving ? "Pause (Space)" : "Solve (Space)", look, true))
+  if (icon_button({.id = "toggle",
+                   .icon = is_solving ? Icon::pause : Icon::play,
+                   .tip = is_solving ? "Pause (Space)" : "Solve (Space)",
+                   .is_main = true},
+                  look))
     editor.run_command("solve.toggle");
   ImGui::EndDisabled();
   ImGui::SameLine();

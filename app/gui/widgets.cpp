@@ -67,25 +67,25 @@ void draw_icon(const IconBrush& b, Icon icon) {
 
 }  // namespace
 
-bool icon_button(const char* id, Icon icon, const std::string& tip, const Look& look, bool main) {
+bool icon_button(const IconButton& button, const Look& look) {
   const float side = ImGui::GetFrameHeight();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (main) {
+  if (button.is_main) {
     ImGui::PushStyleColor(ImGuiCol_Button, look.palette->accent);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, look.palette->accent);
   }
-  ImGui::PushID(id);
+  ImGui::PushID(button.id);
   const bool pressed = ImGui::Button("##icon", {side, side});
   ImGui::PopID();
-  if (main) ImGui::PopStyleColor(2);
+  if (button.is_main) ImGui::PopStyleColor(2);
   const float margin = std::round(side * 0.28F);
-  const ImVec4& colour = main ? look.palette->on_accent : look.palette->text;
+  const ImVec4& colour = button.is_main ? look.palette->on_accent : look.palette->text;
   draw_icon({*ImGui::GetWindowDrawList(),
              {corner.x + margin, corner.y + margin},
              side - 2 * margin,
              packed(colour, ImGui::GetStyle().Alpha)},
-            icon);
-  tooltip(tip, look);
+            button.icon);
+  tooltip(button.tip, look);
   return pressed;
 }
 

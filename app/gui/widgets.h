@@ -13,9 +13,16 @@ namespace foldless {
 /// Pictures drawn with lines, so that they need no icon font and are sharp at every scale.
 enum class Icon { play, pause, step, stop, first, back, last, up, reset };
 
-/// A square button with a picture; `tip` is its tooltip. `main` fills it with the accent colour.
-bool icon_button(const char* id, Icon icon, const std::string& tip, const Look& look,
-                 bool main = false);
+/// A square button with a picture.
+struct IconButton {
+  const char* id;
+  Icon icon;
+  std::string tip;       ///< the tooltip
+  bool is_main = false;  ///< filled with the accent colour
+};
+
+/// Draws it; true when it is pressed.
+bool icon_button(const IconButton& button, const Look& look);
 
 /// A button in the accent colour: the one thing a dialog is for.
 bool main_button(const char* label, const Look& look);

@@ -99,6 +99,7 @@ Key key_of(int key, int scancode) {
 }
 
 /// The key's own modifier counts: GLFW's `mods` are those before the event.
+// NOLINTNEXTLINE(readability-function-size): GLFW says which parameters the function has.
 void on_key(GLFWwindow* window, int glfw_key, int scancode, int action, int) {
   const Modifiers modifiers = held_modifiers(window);
   events_of(window).emplace_back(ModifiersHeld{modifiers});
