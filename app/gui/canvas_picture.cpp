@@ -51,7 +51,7 @@ ImageTexts picture_texts(const Editor& editor) {
                    {"Scene", editor.path().empty() ? document.name : editor.path().string()},
                    {"Method", document.parameters.method},
                    {"Distortion", std::string(document.energy->name)}};
-  if (const auto snapshot = editor.shown(); snapshot && snapshot->iteration) {
+  if (const auto& snapshot = editor.shown(); snapshot && snapshot->iteration) {
     texts["Iteration"] = std::to_string(snapshot->iteration->updates);
     texts["Energy"] = exact_words(snapshot->iteration->energy);
   }

@@ -109,7 +109,7 @@ void ExportDialog::ask_for_file(Editor& editor, UiState& state) {
 }
 
 void export_mesh(const Editor& editor, const std::filesystem::path& path) {
-  const auto shown = editor.shown();
+  const auto& shown = editor.shown();
   if (!shown) throw Error("There is no mesh to export: open one first.");
   write_mesh(path, *shown->triangles, shown->deformed, shown->rest.get());
 }

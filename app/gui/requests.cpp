@@ -93,7 +93,7 @@ struct TextExport {
   std::function<std::string()> text;
 };
 
-void ask_where_to_export(TextExport job, Editor& editor, UiState& state) {
+void ask_where_to_export(const TextExport& job, Editor& editor, UiState& state) {
   FileRequest request;
   request.purpose = FileRequest::Purpose::save;
   request.title = job.title;

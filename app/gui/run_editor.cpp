@@ -40,7 +40,7 @@ std::filesystem::path frame_log_file() {
 std::filesystem::path pictures_folder() {
   std::error_code ignored;
   if (const char* home = std::getenv("HOME")) {
-    const auto pictures = std::filesystem::path(home) / "Pictures";
+    auto pictures = std::filesystem::path(home) / "Pictures";
     if (std::filesystem::is_directory(pictures, ignored)) return pictures;
   }
   return std::filesystem::current_path(ignored);

@@ -25,7 +25,7 @@ std::string number_words(double value) {
     return text.data();
   }
   const double mantissa = value / std::pow(10.0, exponent);
-  const std::string power = power_of_ten(static_cast<int>(exponent));
+  std::string power = power_of_ten(static_cast<int>(exponent));
   if (std::abs(mantissa - 1) < 1e-6) return power;
   std::snprintf(text.data(), text.size(), "%.3g·", mantissa);
   return text.data() + power;
