@@ -6,6 +6,9 @@
 
 namespace foldless::test {
 
+/// A problem whose iterations take no time to speak of.
+inline Problem small_problem() { return grid_problem(3, Vec2(2, 2)); }
+
 /// A worker whose every iteration is held at a gate before it looks at the stop token: a message
 /// that cancels, posted meanwhile, is certain to cancel it.
 struct HeldWorker {

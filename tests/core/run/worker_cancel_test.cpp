@@ -12,23 +12,20 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::eventually;
-using test::grid_problem;
 using test::HeldWorker;
 using test::reaches;
 using test::recorded;
 using test::targets_at;
 
-Problem problem() { return grid_problem(3, Vec2(2, 2)); }
-
 // The first of these tests, as a lock that is held would make the others hang.
 TEST(WorkerCancel, EveryCallReturnsWhileAnIterationRuns) {
   HeldWorker held;
   Worker& worker = held.worker;
-  worker.load(problem());
+  worker.load(test::small_problem());
   worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
   const auto calls = std::async(std::launch::async, [&] {
-    worker.load(problem());
+    worker.load(test::small_problem());
     worker.set_targets(targets_at(Vec2(2, 3)));
     worker.set_parameters(find_density("arap"), {});
     worker.set_pace(1e6);
@@ -50,7 +47,7 @@ TEST(WorkerCancel, EveryCallReturnsWhileAnIterationRuns) {
 template <typename Post>
 void expect_that_the_solver_gets_on(const Post& post) {
   HeldWorker held;
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   for (int k = 1; k <= 8; ++k) {
     ASSERT_TRUE(held.gate.holds_the_solver());
@@ -77,20 +74,20 @@ TEST(WorkerCancel, AStreamOfParametersDoesNotStarveTheSolver) {
 
 TEST(WorkerCancel, EveryLoadCancels) {
   HeldWorker held;
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   for (int k = 1; k <= 4; ++k) {
     ASSERT_TRUE(held.gate.holds_the_solver());
     EXPECT_EQ(held.script->begun, k);
     EXPECT_EQ(held.script->cancelled, k - 1);
-    held.worker.load(problem());
+    held.worker.load(test::small_problem());
     held.gate.let_through();
   }
 }
 
 TEST(WorkerCancel, StopCancelsAnIterationThatFollowsACancelledOne) {
   HeldWorker held;
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.worker.set_targets(targets_at(Vec2(2, 3)));
@@ -109,7 +106,7 @@ TEST(WorkerCancel, RunPauseStepAndPaceLeaveTheIterationToItsEnd) {
       [](Worker& worker) { worker.step(); }, [](Worker& worker) { worker.set_pace(1e9); }};
   for (std::size_t m = 0; m < messages.size(); ++m) {
     HeldWorker held;
-    held.worker.load(problem());
+    held.worker.load(test::small_problem());
     held.worker.run();
     ASSERT_TRUE(held.gate.holds_the_solver());
     messages[m](held.worker);
@@ -121,7 +118,7 @@ TEST(WorkerCancel, RunPauseStepAndPaceLeaveTheIterationToItsEnd) {
 
 TEST(WorkerCancel, TheNewestSnapshotStandsWhateverIsCancelled) {
   HeldWorker held;
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.gate.let_through();
@@ -145,7 +142,7 @@ TEST(WorkerCancel, TheDestructorDoesNotWaitForTheIteration) {
       is_running = true;
       was_asked_to_stop = eventually([&] { return token.stop_requested(); });
     };
-    scripted.worker.load(problem());
+    scripted.worker.load(test::small_problem());
     scripted.worker.run();
     ASSERT_TRUE(eventually([&] { return is_running.load(); }));
   }

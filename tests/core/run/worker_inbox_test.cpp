@@ -15,8 +15,6 @@ using test::recorded;
 using test::takes_up;
 using test::targets_at;
 
-Problem problem() { return grid_problem(3, Vec2(2, 2)); }
-
 /// What methods were started on.
 struct Notes {
   std::mutex mutex;
@@ -46,7 +44,7 @@ struct NotingWorker : Notes, HeldWorker {
 
 TEST(WorkerInbox, ALoadDropsTheTargetsAndParametersBeforeIt) {
   NotingWorker held;
-  ASSERT_TRUE(held.runs(problem()));
+  ASSERT_TRUE(held.runs(test::small_problem()));
   Parameters parameters;
   parameters.alpha = 77;
   held.worker.set_targets(targets_at(Vec2(9, 9)));
@@ -64,7 +62,7 @@ TEST(WorkerInbox, ALoadDropsTheTargetsAndParametersBeforeIt) {
 
 TEST(WorkerInbox, TargetsAndParametersAfterALoadAreItsOwn) {
   NotingWorker held;
-  ASSERT_TRUE(held.runs(problem()));
+  ASSERT_TRUE(held.runs(test::small_problem()));
   Parameters parameters;
   parameters.alpha = 77;
   held.worker.load(grid_problem(4, Vec2(3, 4)));
@@ -83,7 +81,7 @@ TEST(WorkerInbox, TargetsAndParametersAfterALoadAreItsOwn) {
 
 TEST(WorkerInbox, TheNewestOfAKindReplacesTheOthers) {
   NotingWorker held;
-  ASSERT_TRUE(held.runs(problem()));
+  ASSERT_TRUE(held.runs(test::small_problem()));
   Parameters parameters;
   for (int k = 1; k <= 5; ++k) {
     parameters.alpha = k;
@@ -101,13 +99,13 @@ TEST(WorkerInbox, TheNewestOfAKindReplacesTheOthers) {
 TEST(WorkerInbox, ALoadShowsItsOwnMeshFirst) {
   HeldWorker held;
   held.script->change = [](MeshPair& mesh, int) { test::displace(mesh, 4, Vec2(0.01, 0)); };
-  const std::uint64_t first = held.worker.load(problem());
+  const std::uint64_t first = held.worker.load(test::small_problem());
   held.worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());
   EXPECT_TRUE(held.worker.latest()->iteration);
-  const std::uint64_t second = held.worker.load(problem());
+  const std::uint64_t second = held.worker.load(test::small_problem());
   EXPECT_NE(first, second);
   EXPECT_TRUE(held.worker.timeline().empty());
   held.gate.let_through();
@@ -115,7 +113,7 @@ TEST(WorkerInbox, ALoadShowsItsOwnMeshFirst) {
   ASSERT_TRUE(held.gate.holds_the_solver());
   EXPECT_EQ(held.worker.latest()->generation, second);
   EXPECT_FALSE(held.worker.latest()->iteration);
-  EXPECT_EQ(held.worker.latest()->deformed, problem().mesh.deformed());
+  EXPECT_EQ(held.worker.latest()->deformed, test::small_problem().mesh.deformed());
 }
 
 /// A worker whose iterations are held after their last look at the stop token.
@@ -133,10 +131,10 @@ TEST(WorkerInbox, AnIterationThatEndsAfterALoadIsNeitherRecordedNorShown) {
     const auto latest = held.worker.latest();
     if (latest && latest->iteration) was_shown = true;
   };
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());
   EXPECT_TRUE(held.worker.timeline().empty());
@@ -145,7 +143,7 @@ TEST(WorkerInbox, AnIterationThatEndsAfterALoadIsNeitherRecordedNorShown) {
 
 TEST(WorkerInbox, AnIterationThatEndsAfterTheTimelineWasClearedIsNotRecorded) {
   LateWorker held;
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.worker.clear_timeline();

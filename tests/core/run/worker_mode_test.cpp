@@ -8,7 +8,6 @@ namespace foldless {
 namespace {
 
 using test::eventually;
-using test::grid_problem;
 using test::HeldWorker;
 using test::reaches;
 using test::recorded;
@@ -16,11 +15,9 @@ using test::ScriptedWorker;
 using test::takes_up_all;
 using test::targets_at;
 
-Problem problem() { return grid_problem(3, Vec2(2, 2)); }
-
 TEST(WorkerMode, AStepWhileItRunsIsTheLastIteration) {
   HeldWorker held;
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.worker.step();
@@ -33,7 +30,7 @@ TEST(WorkerMode, AStepWhileItRunsIsTheLastIteration) {
 
 TEST(WorkerMode, AStepThatIsCancelledIsMadeUpFor) {
   HeldWorker held;
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.step();
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.worker.set_targets(targets_at(Vec2(2, 3)));
@@ -50,7 +47,7 @@ TEST(WorkerMode, AStepThatAFinishedRunCannotMakeIsForgotten) {
   ScriptedWorker scripted;
   Worker& worker = scripted.worker;
   scripted.script->length = 1;
-  worker.load(problem());
+  worker.load(test::small_problem());
   worker.run();
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
   worker.step();
@@ -64,7 +61,7 @@ TEST(WorkerMode, AStepThatAFinishedRunCannotMakeIsForgotten) {
 TEST(WorkerMode, PauseAndStopTakeBackAStep) {
   for (const WorkerState state : {WorkerState::paused, WorkerState::idle}) {
     HeldWorker held;
-    held.worker.load(problem());
+    held.worker.load(test::small_problem());
     held.worker.run();
     ASSERT_TRUE(held.gate.holds_the_solver());
     held.worker.step();
@@ -80,7 +77,7 @@ TEST(WorkerMode, PauseAndStopTakeBackAStep) {
 
 TEST(WorkerMode, AStoppedRunGoesOnWhereItWas) {
   HeldWorker held;
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.step();
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.gate.let_through();
@@ -98,7 +95,7 @@ TEST(WorkerMode, AFinishedRunThatIsStoppedIsIdleUntilItRuns) {
   ScriptedWorker scripted;
   Worker& worker = scripted.worker;
   scripted.script->length = 1;
-  worker.load(problem());
+  worker.load(test::small_problem());
   worker.run();
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
   worker.stop();
@@ -114,12 +111,12 @@ TEST(WorkerMode, AFinishedRunBeginsAgainUnlessItWasPaused) {
   const std::vector<std::function<void(Worker&)>> messages = {
       [](Worker& worker) { worker.set_targets(targets_at(Vec2(2, 3))); },
       [](Worker& worker) { worker.set_parameters(find_density("arap"), {}); },
-      [](Worker& worker) { worker.load(problem()); }};
+      [](Worker& worker) { worker.load(test::small_problem()); }};
   for (std::size_t m = 0; m < messages.size(); ++m) {
     ScriptedWorker scripted;
     Worker& worker = scripted.worker;
     scripted.script->length = 2;
-    worker.load(problem());
+    worker.load(test::small_problem());
     worker.run();
     ASSERT_TRUE(reaches(worker, WorkerState::finished));
     messages[m](worker);
@@ -137,16 +134,16 @@ TEST(WorkerMode, AFinishedRunBeginsAgainUnlessItWasPaused) {
 TEST(WorkerMode, APauseHoldsThoughTheLoadThatCameWithItIsRefused) {
   HeldWorker held;
   Worker& worker = held.worker;
-  worker.load(problem());
+  worker.load(test::small_problem());
   worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
-  Problem folded = problem();
+  Problem folded = test::small_problem();
   test::displace(folded.mesh, 4, Vec2(5, 5));
   worker.pause();
   worker.load(folded);
   held.gate.let_through();
   ASSERT_TRUE(eventually([&] { return !worker.status().error.empty(); }));
-  worker.load(problem());
+  worker.load(test::small_problem());
   ASSERT_TRUE(takes_up_all(worker));
   EXPECT_EQ(worker.status().state, WorkerState::paused);
   EXPECT_EQ(held.script->begun, 1);
@@ -157,7 +154,7 @@ TEST(WorkerMode, ASlowPaceHoldsUpNeitherTheFirstIterationNorStepsNorMessages) {
   ScriptedWorker scripted;
   Worker& worker = scripted.worker;
   worker.set_pace(1e-300);
-  worker.load(problem());
+  worker.load(test::small_problem());
   worker.run();
   ASSERT_TRUE(eventually([&] { return worker.timeline().size() == 1; }));
   worker.step();

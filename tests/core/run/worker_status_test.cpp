@@ -10,14 +10,11 @@ namespace foldless {
 namespace {
 
 using test::eventually;
-using test::grid_problem;
 using test::HeldWorker;
 using test::reaches;
 using test::ScriptedWorker;
 using test::takes_up_all;
 using test::targets_at;
-
-Problem problem() { return grid_problem(3, Vec2(2, 2)); }
 
 /// What could be read at each wake.
 struct Wakes {
@@ -47,7 +44,7 @@ TEST(WorkerStatus, TheReaderIsWokenWhenItCanReadWhatIsNew) {
   held.gate.open();
   held.script->length = 3;
   held.wake = [&] { wakes.note(held.worker); };
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   ASSERT_TRUE(reaches(held.worker, WorkerState::finished));
   ASSERT_TRUE(eventually([&] {
@@ -66,7 +63,7 @@ TEST(WorkerStatus, SaysWhetherAMessageWaits) {
   Wakes wakes;
   HeldWorker held;
   held.wake = [&] { wakes.note(held.worker); };
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
   EXPECT_TRUE(held.worker.status().is_current);
@@ -84,7 +81,7 @@ TEST(WorkerStatus, SaysWhetherAMessageWaits) {
 
 TEST(WorkerStatus, APaceThatComesAloneIsTakenUp) {
   ScriptedWorker scripted;
-  scripted.worker.load(problem());
+  scripted.worker.load(test::small_problem());
   ASSERT_TRUE(takes_up_all(scripted.worker));
   scripted.worker.set_pace(5);
   EXPECT_TRUE(takes_up_all(scripted.worker));
@@ -94,7 +91,7 @@ TEST(WorkerStatus, TheVerdictComesWithTheOutcome) {
   HeldWorker held;
   held.script->length = 2;
   held.script->verdict = "the two of them cannot both be had";
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   for (int k = 0; k < 2; ++k) {
     ASSERT_TRUE(held.gate.holds_the_solver());
@@ -109,7 +106,7 @@ TEST(WorkerStatus, TheVerdictComesWithTheOutcome) {
 
 TEST(WorkerStatus, IsSatisfiedWhereTheHandlesAreAtTheirTargets) {
   ScriptedWorker scripted;
-  scripted.worker.load(problem());
+  scripted.worker.load(test::small_problem());
   ASSERT_TRUE(takes_up_all(scripted.worker));
   EXPECT_TRUE(scripted.worker.status().satisfied);
   scripted.worker.set_targets(targets_at(Vec2(2, 2.1)));
@@ -119,10 +116,10 @@ TEST(WorkerStatus, IsSatisfiedWhereTheHandlesAreAtTheirTargets) {
 
 TEST(WorkerStatus, AProblemThatIsRefusedEndsTheRunBeforeIt) {
   HeldWorker held;
-  held.worker.load(problem());
+  held.worker.load(test::small_problem());
   held.worker.run();
   ASSERT_TRUE(held.gate.holds_the_solver());
-  Problem folded = problem();
+  Problem folded = test::small_problem();
   test::displace(folded.mesh, 4, Vec2(5, 5));
   held.worker.load(folded);
   held.gate.let_through();
@@ -133,7 +130,7 @@ TEST(WorkerStatus, AProblemThatIsRefusedEndsTheRunBeforeIt) {
   // Targets have no run to go to.
   held.worker.set_targets(targets_at(Vec2(2, 3)));
   ASSERT_TRUE(takes_up_all(held.worker));
-  EXPECT_EQ(held.worker.latest()->handles, problem().handles);
+  EXPECT_EQ(held.worker.latest()->handles, test::small_problem().handles);
   EXPECT_EQ(held.script->begun, 1);
 }
 
