@@ -17,6 +17,14 @@ add_test(NAME PaperTable.ComplainsAboutEachBrokenRow
                  -DTREE=${CMAKE_CURRENT_BINARY_DIR}/paper_table_tree
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/paper_table_self_test.cmake)
 
+add_test(NAME Rooms.AreNeitherCrowdedNorCircular
+         COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/rooms_test.cmake)
+add_test(NAME Rooms.ComplainsAboutEachBrokenRule
+         COMMAND ${CMAKE_COMMAND} -DTEST=${CMAKE_CURRENT_SOURCE_DIR}/rooms_test.cmake
+                 -DTREE=${CMAKE_CURRENT_BINARY_DIR}/rooms_tree
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/rooms_self_test.cmake)
+
 find_program(CLANG_FORMAT NAMES clang-format-14 clang-format)
 if(CLANG_FORMAT)
   add_test(NAME Format.HoldsInTheSources
