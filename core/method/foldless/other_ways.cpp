@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/method/foldless/approach.h"
-#include "core/method/foldless/transport_plans.h"
 
 namespace foldless {
 namespace trying_ways {

@@ -8,7 +8,6 @@
 #include "core/energy/densities.h"
 #include "core/method/foldless/flipping_descent.h"
 #include "core/method/foldless/settle.h"
-#include "core/method/foldless/transport_plans.h"
 
 namespace foldless {
 namespace transporting {

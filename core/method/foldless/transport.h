@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
+#include "core/method/foldless/transport_plans.h"
 #include "core/method/foldless/workspace.h"
-#include "core/method/handle_paths.h"
 #include "core/method/steps.h"
-#include "core/solve/descent.h"
 
 namespace foldless {
-
-/// One way of carrying the handles to their targets.
-struct TransportPlan {
-  PathKind path = PathKind::straight;
-  /// Groups of handles that travel together, one group after the other.
-  std::vector<std::vector<int>> groups;
-  double stride = 0.05;  ///< how far a handle is moved at a time [D]
-};
 
 /// The stage for handles that the approach could not bring home. It forgets the distortion of the
 /// map for a while: from the rest state, handles are carried along paths in short strides under the

@@ -3,9 +3,17 @@
 
 #include <vector>
 
-#include "core/method/foldless/transport.h"
+#include "core/method/handle_paths.h"
 
 namespace foldless {
+
+/// One way of carrying the handles to their targets.
+struct TransportPlan {
+  PathKind path = PathKind::straight;
+  /// Groups of handles that travel together, one group after the other.
+  std::vector<std::vector<int>> groups;
+  double stride = 0.05;  ///< how far a handle is moved at a time [D]
+};
 
 /// The ways of carrying handles from `starts` to `targets` (2 × #handles) that are worth trying, in
 /// that order: together, then staggered, so that handles do not press on each other; along spirals
