@@ -3,39 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/mesh/injective.h"
+#include "tests/core/remesh/one_ring.h"
 #include "tests/support/meshes.h"
 
 namespace foldless {
 namespace {
 
-/// Vertex 0 at the origin with a closed link, vertices 1, 2, … counter-clockwise.
-MeshPair one_ring(const std::vector<Vec2>& link) {
-  const int n = static_cast<int>(link.size());
-  Points points(2, n + 1);
-  points.col(0).setZero();
-  Triangles triangles(3, n);
-  for (int k = 0; k < n; ++k) {
-    points.col(k + 1) = link[static_cast<std::size_t>(k)];
-    triangles.col(k) << 0, k + 1, (k + 1) % n + 1;
-  }
-  EXPECT_TRUE(is_injective(triangles, points));
-  return {triangles, points};
-}
-
 const Vec2 kEast(1, 0);
-
-std::vector<Edge> blocking_edges(const MeshPair& mesh, const Blockage& blockage) {
-  std::vector<Edge> edges;
-  for (const int e : blockage.blocking) edges.push_back(mesh.edge(e));
-  return edges;
-}
-
-std::vector<Edge> split_edges_of(const MeshPair& mesh, const Blockage& blockage) {
-  std::vector<Edge> edges;
-  for (const EdgeSplit& split : blockage.splits) edges.push_back(mesh.edge(split.edge));
-  return edges;
-}
 
 /// True when vertex 0 may sit at `v_alpha` with the new vertices where they are told.
 bool is_free_at(const MeshPair& mesh, const Vec2& v_alpha, const std::vector<Vec2>& new_vertices) {
@@ -47,79 +24,22 @@ bool is_free_at(const MeshPair& mesh, const Vec2& v_alpha, const std::vector<Vec
   return is_injective(mesh.triangles(), mesh.rest(), u);
 }
 
-/// Figure 4 (a): the way leads through the inside of one link edge.
-MeshPair figure_4a() { return one_ring({{1, -1}, {1, 1}, {-1, 1}, {-1, -1}}); }
-
-/// Figure 4 (b): the line through 3–4 crosses the way first, outside of the edge, nearer to 3.
-MeshPair figure_4b() { return one_ring({{3, -1}, {3, 1}, {0.6, 1.2}, {0, 3}, {-3, 0}, {0, -3}}); }
-
-/// Figure 16: the line x = 1 carries 2–3 above the way and 6–7–1 below; v_α = (1, 0) is on none.
-MeshPair figure_16() {
-  return one_ring({{1, -1}, {4, 0}, {1, 2}, {1, 4}, {-2, 0}, {1, -6}, {1, -3}});
-}
-
-TEST(Blockage, InsideOneEdgeSplitsThatEdge) {
-  const MeshPair mesh = figure_4a();
-  const Blockage blockage = blockage_of(mesh, 0, kEast).value();
-  EXPECT_EQ(blockage.v_alpha, Vec2(1, 0));
-  EXPECT_EQ(blocking_edges(mesh, blockage), std::vector<Edge>({{1, 2}}));
-  EXPECT_EQ(split_edges_of(mesh, blockage), std::vector<Edge>({{1, 2}}));
-}
-
-TEST(Blockage, OutsideOneEdgeSplitsTheSpokeToItsFarEnd) {
-  const MeshPair mesh = figure_4b();
-  const Blockage blockage = blockage_of(mesh, 0, kEast).value();
-  EXPECT_NEAR((blockage.v_alpha - Vec2(1, 0)).norm(), 0, 1e-15);
-  EXPECT_EQ(blocking_edges(mesh, blockage), std::vector<Edge>({{3, 4}}));
-  EXPECT_EQ(split_edges_of(mesh, blockage), std::vector<Edge>({{0, 4}}));
-}
-
-TEST(Blockage, AtACommonEndSplitsFourEdges) {
-  const MeshPair mesh = one_ring({{0, -2}, {1, 0}, {0, 2}, {-1, 0}});
-  const Blockage blockage = blockage_of(mesh, 0, kEast).value();
-  EXPECT_EQ(blockage.v_alpha, Vec2(1, 0));
-  std::vector<Edge> splits = split_edges_of(mesh, blockage);
-  std::ranges::sort(splits);
-  EXPECT_EQ(splits, std::vector<Edge>({{0, 1}, {0, 3}, {1, 2}, {2, 3}}));
-}
-
-TEST(Blockage, ComponentsAreSplitFromTheFarthestToTheNearest) {
-  const MeshPair mesh = figure_16();
-  const Blockage blockage = blockage_of(mesh, 0, kEast).value();
-  EXPECT_NEAR((blockage.v_alpha - Vec2(1, 0)).norm(), 0, 1e-15);
-  std::vector<Edge> blocking = blocking_edges(mesh, blockage);
-  std::ranges::sort(blocking);
-  EXPECT_EQ(blocking, std::vector<Edge>({{1, 7}, {3, 4}, {6, 7}}));
-  // {3–4} is 2 away from v_α, {6–7, 7–1} is 1 away.
-  EXPECT_EQ(split_edges_of(mesh, blockage), std::vector<Edge>({{0, 4}, {0, 6}, {0, 7}}));
-}
-
-TEST(Blockage, NothingBlocksAVertexThatNoTriangleEndsBefore) {
-  // A lone triangle: away from its opposite edge the vertex may go for ever.
-  Points points(2, 3);
-  points << 0, -1, -1,  //
-      0, 1, -1;
-  const MeshPair mesh(Triangles(Eigen::Vector3i(0, 1, 2)), points);
-  EXPECT_FALSE(blockage_of(mesh, 0, kEast).has_value());
-  EXPECT_TRUE(blockage_of(mesh, 0, -kEast).has_value());
-}
-
 TEST(SplitEdges, LetsTheVertexThroughTheInsideOfAnEdge) {  // Figure 15 (a)
-  MeshPair mesh = figure_4a();
+  MeshPair mesh = test::figure_4a();
   EXPECT_FALSE(is_free_at(mesh, {1, 0}, {}));
   ASSERT_EQ(split_edges(mesh, {{0, kEast}}, {}), 1);
   EXPECT_TRUE(is_free_at(mesh, {1, 0}, {{1.5, 0}}));
 }
 
 TEST(SplitEdges, LetsTheVertexPastTheNearEndOfAnEdge) {  // Figure 15 (b)
-  MeshPair mesh = figure_4b();
+  MeshPair mesh = test::figure_4b();
   EXPECT_FALSE(is_free_at(mesh, {1, 0}, {}));
   ASSERT_EQ(split_edges(mesh, {{0, kEast}}, {}), 1);
   EXPECT_TRUE(is_free_at(mesh, {1, 0}, {{0.2, 1.5}}));
 }
 
 TEST(SplitEdges, LetsTheVertexPastTwoComponents) {  // Figure 16 (b)
-  MeshPair mesh = figure_16();
+  MeshPair mesh = test::figure_16();
   EXPECT_FALSE(is_free_at(mesh, {1, 0}, {}));
   ASSERT_EQ(split_edges(mesh, {{0, kEast}}, {}), 3);
   // New vertices on 0–4, 0–6 and 0–7, moved off the line to the side that 0 came from.
@@ -127,7 +47,7 @@ TEST(SplitEdges, LetsTheVertexPastTwoComponents) {  // Figure 16 (b)
 }
 
 TEST(SplitEdges, DoesNotChangeTheMap) {
-  MeshPair mesh = figure_16();
+  MeshPair mesh = test::figure_16();
   Points u = mesh.rest();
   u.row(0) += 0.3 * u.row(1);
   mesh.set_deformed(u);
@@ -138,11 +58,51 @@ TEST(SplitEdges, DoesNotChangeTheMap) {
   EXPECT_TRUE(is_injective(mesh.triangles(), mesh.rest(), mesh.deformed()));
 }
 
-TEST(SplitEdges, KeepsToItsBounds) {
-  MeshPair mesh = figure_16();
-  EXPECT_EQ(split_edges(mesh, {{0, kEast}}, {.most_splits = 2}), 2);
-  MeshPair coarse = figure_4a();
-  EXPECT_EQ(split_edges(coarse, {{0, kEast}}, {.shortest_edge = 1.1}), 0);
+TEST(SplitEdges, SplitsNoMoreThanItMay) {
+  for (const int most : {0, 1, 2, 3, 4}) {
+    MeshPair mesh = test::figure_16();
+    EXPECT_EQ(split_edges(mesh, {{0, kEast}}, {.most_splits = most}), std::min(most, 3));
+  }
+  MeshPair mesh = test::figure_16();
+  ASSERT_EQ(split_edges(mesh, {{0, kEast}}, {.most_splits = 1}), 1);
+  EXPECT_TRUE(mesh.find_edge(4, 8)) << "the farthest first";
+}
+
+TEST(SplitEdges, MakesNoShortEdgeInEitherMesh) {
+  for (const double scale :
+       {0.1, 10.0}) {  // of the deformed mesh; the edge in the way has length 2
+    const MeshPair square = test::figure_4a();
+    const double shorter = std::min(1.0, scale);
+    for (const double part : {0.999, 1.001}) {
+      MeshPair mesh(square.triangles(), square.rest(), scale * square.rest());
+      EXPECT_EQ(split_edges(mesh, {{0, kEast}}, {.shortest_edge = part * shorter}), part < 1);
+    }
+  }
+}
+
+TEST(SplitEdges, SplitsNoTriangleBelowTheBoundOnAreas) {
+  const MeshPair square = test::figure_4a();
+  Points flat = square.rest();
+  flat.row(1) *= 0.5;
+  for (const double delta : {0.49, 0.51}) {
+    MeshPair mesh(square.triangles(), square.rest(), flat);
+    EXPECT_EQ(split_edges(mesh, {{0, kEast}}, {.delta = delta}), delta < 0.5);
+  }
+}
+
+TEST(SplitEdges, PutsTheNewVertexWhereTheWayCrossesInBothMeshes) {
+  for (const double height : {0.4, -0.4, 0.9}) {  // of the way where it crosses the edge
+    SCOPED_TRACE(height);
+    const MeshPair square = test::figure_4a();
+    Points u = square.rest();
+    u.row(1) *= 2;
+    MeshPair mesh(square.triangles(), square.rest(), u);
+    ASSERT_EQ(split_edges(mesh, {{0, Vec2(1, 2 * height)}}, {}), 1);
+    // No nearer to an end than a fifth of the edge.
+    const Vec2 rest(1, std::min(height, 0.6));
+    EXPECT_LT((mesh.rest().col(5) - rest).norm(), 1e-15);
+    EXPECT_LT((mesh.deformed().col(5) - Vec2(1, 2 * rest.y())).norm(), 1e-15);
+  }
 }
 
 TEST(SplitEdges, SplitsABoundaryEdgeToo) {
@@ -165,7 +125,7 @@ TEST(SplitEdges, LeavesBoundaryEdgesBetweenFixedVertices) {
 }
 
 TEST(SplitAllEdges, SplitsEveryEdgeOnceAndDoesNotChangeTheMap) {
-  MeshPair mesh = figure_16();
+  MeshPair mesh = test::figure_16();
   Points u = mesh.rest();
   u.row(0) += 0.3 * u.row(1);
   mesh.set_deformed(u);
