@@ -171,5 +171,41 @@ TEST(Prolonged, IsNothingWhereTheFineMeshLeavesTheFeasibleSetWithoutAFold) {
   EXPECT_FALSE(prolonged(flat.coarse, flat.fine, energy(0.1)));
 }
 
+TEST(Prolonged, IsNothingWhereTheCoarseMapFolds) {
+  // Where the coarse mesh is outside of the feasible set no energy is asked for: only the proof
+  // tells.
+  const MeshPair fine = fine_grid(8);
+  CoarseMesh coarse = coarsened(fine, {}, 40);
+  ASSERT_TRUE(prolonged(coarse, fine, energy()));
+  int inside = 0;
+  while (coarse.mesh.is_boundary_vertex(inside)) ++inside;
+  Points u = coarse.mesh.rest();
+  u.col(inside) += Vec2(2, 0);
+  coarse.mesh.set_deformed(u);
+  EXPECT_FALSE(prolonged(coarse, fine, energy()));
+}
+
+TEST(Prolonged, ACreaseIsTheSameMapOnceItsEdgesAreInserted) {
+  // A square with a crease along its diagonal, under a fine grid whose diagonals all go the other
+  // way.
+  Points rest(2, 4);
+  rest << 0, 1, 0, 1,  //
+      0, 0, 1, 1;
+  Triangles triangles(3, 2);
+  triangles << 0, 0,  //
+      1, 3,           //
+      3, 2;
+  Points u = rest;
+  u.col(1) = Vec2(-0.6, -0.8);  // more than half of a turn from vertex 2
+  const Shape shape = grid({.columns = 7, .rows = 7, .diagonal = Diagonal::falling});
+  const MeshPair fine = pair_of_shape(shape);
+  const CoarseMesh coarse{MeshPair(triangles, rest, u), {0, 7, 56, 63}};
+  const auto result = prolonged(coarse, fine, energy());
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->flips, 7) << "one in every cell of the diagonal";
+  EXPECT_TRUE(test::is_valid(result->mesh));
+  for (int i = 0; i < 7; ++i) EXPECT_TRUE(result->mesh.find_edge(9 * i, 9 * (i + 1)));
+}
+
 }  // namespace
 }  // namespace foldless
