@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps of a NewtonSystem from an earlier factor.
+#include <gtest/gtest.h>
+
+#include "tests/core/solve/newton_fixture.h"
+
+namespace foldless {
+namespace {
+
+using test::DenseNewton;
+using test::SqueezedGrid;
+
+/// A grid with a factor of its ∇²E, that moved a little since.
+struct Moved : SqueezedGrid {
+  Moved() : SqueezedGrid(0.9), newton(system()) {
+    newton.assemble(energy, mesh.deformed());
+    EXPECT_TRUE(newton.factorize(0));
+    Points u = mesh.deformed();
+    u.row(0) += 0.01 * u.row(1);
+    mesh.set_deformed(u);
+    newton.moved();
+  }
+  /// What the factor gives for this energy where the mesh is.
+  std::optional<LaggedStep> lagged(const Energy& other) {
+    newton.assemble(other, mesh.deformed());
+    return newton.lagged_newton_step();
+  }
+
+  NewtonSystem newton;
+};
+
+TEST(LaggedStep, IsNearlyNewtonsWithoutAFactorization) {
+  Moved m;
+  const std::optional<LaggedStep> lagged = m.lagged(m.energy);
+  ASSERT_TRUE(lagged);
+  EXPECT_FALSE(lagged->is_indefinite);
+  EXPECT_EQ(m.effort.factorizations, 1);
+  const DenseNewton dense(m.mesh, m.energy);
+  const Points newton = dense.step();
+  // Of the decrease that the quadratic model promises little is missing.
+  const auto model = [&](const Points& step) {
+    const Eigen::VectorXd s = step.reshaped();
+    return dense.gradient.dot(s) + 0.5 * s.dot(dense.hessian * s);
+  };
+  EXPECT_LT(model(lagged->step), 0.95 * model(newton));
+  EXPECT_GT((lagged->step - newton).norm(), 1e-9 * newton.norm()) << "or it is Newton's own";
+}
+
+TEST(LaggedStep, AnotherPenaltyOrConformalWeightDoesNotOutdateAFactor) {
+  Moved m;
+  Energy other = m.energy;
+  other.settings.alpha *= 1.1;
+  other.settings.conformal_weight = 1e-3;
+  EXPECT_TRUE(m.lagged(other));
+}
+
+TEST(LaggedStep, AFactorOfAnotherEnergyDoesNotServe) {
+  Energy held_handles = Moved().energy, denser = held_handles, stiffer = held_handles,
+         equilateral = held_handles;
+  held_handles.constraints.held = true;
+  denser.settings.density = find_density("symmetric-dirichlet");
+  stiffer.settings.beta *= 1.1;
+  equilateral.settings.reference = Reference::equilateral;
+  for (const Energy* other : {&held_handles, &denser, &stiffer, &equilateral}) {
+    Moved m;
+    EXPECT_FALSE(m.lagged(*other));
+    EXPECT_TRUE(m.lagged(m.energy)) << "it serves its own afterwards";
+  }
+}
+
+TEST(LaggedStep, AnOutdatedFactorDoesNotServeUntilThereIsANewOne) {
+  Moved m;
+  m.newton.outdate_factor();
+  EXPECT_FALSE(m.lagged(m.energy));
+  ASSERT_TRUE(m.newton.factorize(0));
+  EXPECT_TRUE(m.lagged(m.energy));
+  m.newton.rebuild(m.mesh, m.energy.constraints, 0);
+  EXPECT_FALSE(m.lagged(m.energy)) << "a mesh that was made anew";
+}
+
+TEST(LaggedStep, AFailedFactorizationLeavesNoFactor) {
+  Moved m;
+  SqueezedGrid indefinite(0.2);
+  m.newton.assemble(indefinite.energy, indefinite.mesh.deformed());
+  ASSERT_FALSE(m.newton.factorize(0));
+  EXPECT_FALSE(m.lagged(m.energy));
+}
+
+TEST(LaggedStep, TellsAnIndefiniteHessian) {
+  Moved m;
+  SqueezedGrid indefinite(0.2);
+  m.newton.assemble(indefinite.energy, indefinite.mesh.deformed());
+  const std::optional<LaggedStep> lagged = m.newton.lagged_newton_step();
+  ASSERT_TRUE(lagged);
+  EXPECT_TRUE(lagged->is_indefinite);
+}
+
+TEST(LaggedStep, CarriesHandlesNearlyAsAFactorOfItsOwn) {
+  Moved m;
+  m.energy.constraints.held = true;
+  m.newton.assemble(m.energy, m.mesh.deformed(), 1);
+  ASSERT_TRUE(m.newton.factorize(0));
+  Points u = m.mesh.deformed();
+  u.row(0) += 0.01 * u.row(1);
+  m.newton.assemble(m.energy, u, 1);
+  Points way = Points::Zero(2, m.mesh.vertex_count());
+  way.col(15) = Vec2(0.2, 0.1);
+  const auto lagged = m.newton.lagged_carrying_step(m.energy.settings, u, way);
+  ASSERT_TRUE(lagged && !lagged->is_indefinite);
+  ASSERT_TRUE(m.newton.factorize(0));
+  const Points exact = m.newton.carrying_step(m.energy.settings, u, way);
+  EXPECT_EQ(lagged->step.col(15), way.col(15));
+  EXPECT_LT((lagged->step - exact).norm(), 0.05 * exact.norm());
+}
+
+}  // namespace
+}  // namespace foldless
