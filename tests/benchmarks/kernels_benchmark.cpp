@@ -20,16 +20,14 @@ constexpr double kTwist = 60;
 struct Twist {
   explicit Twist(int faces)
       : problem(turned_disk(faces, kTwist)),
-        positions(constraints_of(problem.handles)),
-        settings(energy_settings(problem)) {
+        energy{energy_settings(problem), constraints_of(problem.handles)} {
     const auto method = find_method("paper-noflip")->start(problem);
     for (int i = 0; i < 5; ++i) method->step({});
     problem.mesh = method->mesh();
   }
 
   Problem problem;
-  Constraints positions;
-  EnergySettings settings;
+  Energy energy;
 };
 
 void sizes(benchmark::internal::Benchmark* benchmark) {
@@ -42,15 +40,16 @@ void report_triangles(benchmark::State& state, const MeshPair& mesh) {
 
 void assemble(benchmark::State& state) {
   const Twist twist(static_cast<int>(state.range(0)));
-  NewtonSystem system(twist.settings, twist.problem.mesh, twist.positions);
-  for (auto _ : state) system.assemble(twist.problem.mesh.deformed(), twist.positions);
+  Effort effort;
+  NewtonSystem system(twist.problem.mesh, twist.energy.constraints, effort);
+  for (auto _ : state) system.assemble(twist.energy, twist.problem.mesh.deformed());
   report_triangles(state, twist.problem.mesh);
 }
 BENCHMARK(assemble)->Apply(sizes);
 
 void analyze(benchmark::State& state) {
   const Twist twist(static_cast<int>(state.range(0)));
-  const Objective objective(twist.settings, twist.problem.mesh, twist.positions);
+  const Objective objective(twist.problem.mesh, twist.energy.constraints);
   const SparseSymmetric pattern = objective.hessian_pattern();
   Cholesky cholesky;
   for (auto _ : state) cholesky.analyze(pattern);
@@ -60,9 +59,9 @@ BENCHMARK(analyze)->Apply(sizes);
 
 void factorize(benchmark::State& state) {
   const Twist twist(static_cast<int>(state.range(0)));
-  const Objective objective(twist.settings, twist.problem.mesh, twist.positions);
+  const Objective objective(twist.problem.mesh, twist.energy.constraints);
   SparseSymmetric hessian = objective.hessian_pattern();
-  objective.assemble(twist.problem.mesh.deformed(), twist.positions, hessian);
+  objective.assemble(twist.energy, twist.problem.mesh.deformed(), hessian);
   constexpr double kEnoughForPositiveDefinite = 1e4;
   Cholesky cholesky;
   cholesky.analyze(hessian);
@@ -76,24 +75,24 @@ BENCHMARK(factorize)->Apply(sizes);
 void search_line(benchmark::State& state) {
   const Twist twist(static_cast<int>(state.range(0)));
   const MeshPair& mesh = twist.problem.mesh;
-  NewtonSystem system(twist.settings, mesh, twist.positions);
-  system.assemble(mesh.deformed(), twist.positions);
+  Effort effort;
+  NewtonSystem system(mesh, twist.energy.constraints, effort);
+  system.assemble(twist.energy, mesh.deformed());
   if (!system.factorize_damped(false, {})) state.SkipWithError("no factor");
   const Points step = system.newton_step();
   const Line line{mesh.deformed(), step, system.energy().total(), system.slope(step)};
   for (auto _ : state)
-    benchmark::DoNotOptimize(line_search(system.objective(), twist.positions, line));
+    benchmark::DoNotOptimize(line_search(system.objective(), twist.energy, line));
   report_triangles(state, mesh);
 }
 BENCHMARK(search_line)->Apply(sizes);
 
 void scan_for_flips(benchmark::State& state) {
   const Twist twist(static_cast<int>(state.range(0)));
-  const Objective objective(twist.settings, twist.problem.mesh, twist.positions);
-  const FlipSettings settings{twist.settings, 1e-3, true};
+  const FlipSettings settings{twist.energy.settings, 1e-3, true};
   MeshPair mesh = twist.problem.mesh;
-  flip_edges(mesh, objective.unknowns(), settings);  // from here on there is nothing to flip
-  for (auto _ : state) benchmark::DoNotOptimize(flip_edges(mesh, objective.unknowns(), settings));
+  flip_edges(mesh, settings);  // from here on there is nothing to flip
+  for (auto _ : state) benchmark::DoNotOptimize(flip_edges(mesh, settings));
   report_triangles(state, mesh);
 }
 BENCHMARK(scan_for_flips)->Apply(sizes);
