@@ -69,16 +69,6 @@ TEST(Lim, HardTwistsOfTheCoarseDiskNeedMoreFactorizationsThanWithRelaxation) {
   EXPECT_GT(with_sub_steps, with_relaxation);
 }
 
-TEST(Lim, ACopyGoesOnAsTheOriginalDoes) {
-  Lim method(pulled_grid("arap", Vec2(-0.3, -0.3)));
-  for (int i = 0; i < 3; ++i) ASSERT_TRUE(method.step({}));
-  const std::unique_ptr<Method> copy = method.clone();
-  run_to_its_end(method);
-  EXPECT_NE(copy->mesh().deformed(), method.mesh().deformed());
-  run_to_its_end(*copy);
-  EXPECT_EQ(copy->mesh().deformed(), method.mesh().deformed());
-}
-
 TEST(Lim, ACancelledStepChangesNothingAndTheRunCanGoOn) {
   Lim method(pulled_grid("arap", Vec2(0.2, 0.2)));
   ASSERT_TRUE(method.step({}));

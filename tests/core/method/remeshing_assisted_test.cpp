@@ -84,17 +84,6 @@ TEST(RemeshingAssisted, AnUpdateNeverRaisesTheEnergy) {
   }
 }
 
-TEST(RemeshingAssisted, ACopyGoesOnAsTheOriginalDoes) {
-  RemeshingAssisted method(pulled_grid("arap", Vec2(-0.3, -0.3)), {.flips = false});
-  for (int i = 0; i < 3; ++i) ASSERT_TRUE(method.step({}));
-  const std::unique_ptr<Method> copy = method.clone();
-  run_to_its_end(method);
-  const Points reached = method.mesh().deformed();
-  EXPECT_NE(copy->mesh().deformed(), reached) << "the copy must not have moved with the original";
-  run_to_its_end(*copy);
-  EXPECT_EQ(copy->mesh().deformed(), reached);
-}
-
 TEST(RemeshingAssisted, RunsAreReproducibleBitForBit) {
   const auto first = find_method("paper-flip")->start(pulled_grid("lscm", Vec2(-0.4, -0.4)));
   const auto second = find_method("paper-flip")->start(pulled_grid("lscm", Vec2(-0.4, -0.4)));
@@ -129,29 +118,6 @@ TEST(RemeshingAssisted, MovedTargetsBeginTheRunAgainFromWhereItIs) {
   EXPECT_NEAR((method.mesh().deformed().col(48) - targets.col(3)).norm(), 0, 1e-6);
 }
 
-TEST(RemeshingAssisted, AComponentWithoutAHandleStaysWhereItIs) {
-  const Shape one = grid({.columns = 3, .rows = 3, .width = 0.3, .height = 0.3});
-  const Eigen::Index n = one.rest.cols();
-  Triangles triangles(3, 2 * one.triangles.cols());
-  triangles << one.triangles, one.triangles.array() + static_cast<int>(n);
-  Points rest(2, 2 * n);
-  rest << one.rest, one.rest.colwise() + Vec2(0.5, 0);
-  Problem problem{MeshPair(triangles, rest), find_density("arap"), {}, {}};
-  problem.handles = {held(rest, 0), held(rest, 3)};
-  problem.handles[1].target += Vec2(0.05, 0.1);
-  RemeshingAssisted method(std::move(problem), {.flips = true});
-  EXPECT_TRUE(is_satisfied(method, run_to_its_end(method)));
-  EXPECT_EQ(method.mesh().deformed().rightCols(n), rest.rightCols(n));
-}
-
-TEST(RemeshingAssisted, WithoutHandlesThereIsNothingToDo) {
-  Problem problem = pulled_grid("arap", Vec2::Zero());
-  problem.handles.clear();
-  RemeshingAssisted method(std::move(problem), {.flips = true});
-  EXPECT_EQ(method.outcome(), Outcome::gradient);
-  EXPECT_FALSE(method.step({}));
-}
-
 TEST(RemeshingAssisted, TheIterationLimitIsAnOutcome) {
   Problem problem = pulled_grid("arap", Vec2(-0.5, -0.5));
   problem.parameters.inner_iterations = 2;
@@ -169,7 +135,7 @@ TEST(RemeshingAssisted, GreenStrainUsesTheMeanAreaForThePapersBeta) {
   Problem unweighted = problem;
   unweighted.parameters.area_weighted = false;
   EXPECT_FALSE(energy_settings(unweighted).area_weighted);
-  EXPECT_EQ(energy_settings(unweighted).beta, 100);
+  EXPECT_NEAR(energy_settings(unweighted).beta, 100 * 2 * 0.7 * 0.7, 1e-12) << "D is not 1";
 }
 
 }  // namespace

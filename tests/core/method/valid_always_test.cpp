@@ -5,6 +5,7 @@
 
 #include "core/mesh/injective.h"
 #include "core/method/remeshing_assisted.h"
+#include "core/remesh/flip_edges.h"
 #include "core/solve/relax_vertices.h"
 #include "tests/support/random_scene.h"
 
@@ -31,39 +32,40 @@ void expect_valid_between(const MeshPair& mesh, const Points& from, const Points
 struct CheckedRun {
   explicit CheckedRun(const Problem& problem)
       : mesh(problem.mesh),
-        constraints(constraints_of(problem.handles)),
-        system(energy_settings(problem), mesh, constraints),
-        settings{energy_settings(problem), problem.parameters.eta, true},
+        energy{energy_settings(problem), constraints_of(problem.handles)},
+        system(mesh, energy.constraints, effort),
+        settings{energy.settings, problem.parameters.eta, true},
         area(rest_area(mesh)) {}
 
   void update() {
     const Points before = mesh.deformed();
-    update_vertices(system, mesh, constraints, {});
+    update_vertices(system, mesh, energy, {});
     expect_valid_between(mesh, before, mesh.deformed());
   }
 
   void relax() {
     for (int i = 0; i < kRelaxations; ++i) {
       const Points before = mesh.deformed();
-      if (!relax_vertices(system, mesh, constraints, {})) return;
+      if (!relax_vertices(system, mesh, energy, {})) return;
       expect_valid_between(mesh, before, mesh.deformed());
     }
   }
 
   void flip() {
-    const EnergyTerms before = system.objective().value(mesh.deformed(), constraints);
-    const int flips = flip_edges(mesh, system.objective().unknowns(), settings);
+    const EnergyTerms before = system.objective().value(energy, mesh.deformed());
+    const int flips = flip_edges(mesh, settings);
     if (flips == 0) return;
     flipped += flips;
-    system.take_flips(mesh, flips);
-    const EnergyTerms after = system.objective().value(mesh.deformed(), constraints);
+    system.follow_flips(mesh, flips);
+    const EnergyTerms after = system.objective().value(energy, mesh.deformed());
     EXPECT_LE(after.distortion + after.barrier, before.distortion + before.barrier);
     EXPECT_NEAR(rest_area(mesh), area, 1e-12 * area);
     ASSERT_TRUE(is_injective(mesh.triangles(), mesh.rest(), mesh.deformed()));
   }
 
   MeshPair mesh;
-  Constraints constraints;
+  Energy energy;
+  Effort effort;
   NewtonSystem system;
   FlipSettings settings;
   double area;

@@ -9,8 +9,9 @@
 
 #include "core/mesh/generate.h"
 #include "core/mesh/injective.h"
-#include "tests/core/method/foldless/settle_fixture.h"
+#include "tests/core/method/foldless/workspaces.h"
 #include "tests/support/meshes.h"
+#include "tests/support/valid_pair.h"
 
 namespace foldless {
 namespace {
@@ -28,7 +29,7 @@ std::string said_of(const MeshPair& mesh, const std::vector<int>& inside, const 
   for (int v = 0; v < mesh.vertex_count(); ++v)
     if (mesh.is_boundary_vertex(v)) add(v);
   const Constraints constraints = constraints_of(handles);
-  return why_infeasible(held_regions(mesh, constraints), constraints).value_or("");
+  return why_infeasible(prescribed_regions(mesh, constraints), constraints).value_or("");
 }
 
 /// Vertices (i, j) of [0, 3]² with index 4 j + i; 5, 6, 9 and 10 are inside.
@@ -102,7 +103,7 @@ TEST(WhyInfeasible, NothingIsSaidWhereAVertexOfTheBoundaryIsFreeOrSoft) {
       handles.push_back({.id = v + 1, .vertex = v, .target = mesh.rest().col(v)});
   const auto said = [&] {
     const Constraints constraints = constraints_of(handles);
-    return why_infeasible(held_regions(mesh, constraints), constraints).has_value();
+    return why_infeasible(prescribed_regions(mesh, constraints), constraints).has_value();
   };
   EXPECT_TRUE(said());
   handles.back().kind = HandleKind::soft;
@@ -133,8 +134,8 @@ TEST(WhyInfeasible, IsNeverSaidOfRandomMaps) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
-    const Workspace workspace = test::arrived_workspace(seed, static_cast<int>(seed % 3) * 10);
-    ASSERT_NO_FATAL_FAILURE(expect_feasible(workspace.mesh, random));
+    const test::OwnWorkspace own = test::arrived_workspace(seed, static_cast<int>(seed % 3) * 10);
+    ASSERT_NO_FATAL_FAILURE(expect_feasible(own.work.mesh, random));
   }
 }
 

@@ -3,78 +3,78 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "core/method/foldless/transport_plans.h"
-#include "tests/core/method/foldless/held_frame.h"
+#include "tests/core/method/foldless/stage_runner.h"
+#include "tests/core/method/foldless/workspaces.h"
 
 namespace foldless {
 namespace {
 
-constexpr std::size_t kRandomOrdersOfOtherWays = 16;
+using Kind = Way::Kind;
 
-EnergySettings energy_of(const Workspace& workspace) {
-  return workspace.system.objective().settings();
+constexpr std::size_t kRandomOrders = 16;
+
+std::vector<Way> ways_of(const Workspace& work, bool with_approach = false) {
+  return other_ways(work.mesh, work.constraints, with_approach);
 }
 
-std::size_t first_plans(const Workspace& workspace) {
-  const Points starts = held_where_they_are(workspace.constraints, workspace.mesh.deformed()).targets;
-  return transport_plans(starts, workspace.constraints.targets, 0).size();
+std::vector<TransportPlan> plans_of(const Workspace& work, int random_orders) {
+  return transport_plans(work.handles(), work.constraints.targets, random_orders);
 }
 
-/// The numbers of triangles that the ways begin with.
-std::vector<int> faces_of_all(OtherWays& ways, const Workspace& workspace) {
-  std::vector<int> faces;
-  while (const std::optional<Attempt> way = ways.next(workspace))
-    faces.push_back(way->work.mesh.face_count());
-  return faces;
+bool is_plain_transport(const Way& way) {
+  return way.kind == Kind::transport && !way.is_refined && !way.goes_in_rounds;
 }
 
 TEST(OtherWays, BeginWithAnApproachWhereNoneBeganAtRest) {
-  const Workspace workspace = test::held_frame(1);
-  OtherWays after_rest(energy_of(workspace), false), after_a_drag(energy_of(workspace), true);
-  EXPECT_TRUE(after_rest.next(workspace)->is_transport());
-  EXPECT_FALSE(after_a_drag.next(workspace)->is_transport());
-  EXPECT_TRUE(after_a_drag.next(workspace)->is_transport());
-  EXPECT_EQ(after_a_drag.count(), 2);
+  const test::OwnWorkspace own = test::held_frame(1);
+  const std::vector<Way> after_rest = ways_of(own.work), after_a_drag = ways_of(own.work, true);
+  EXPECT_EQ(after_rest.front().kind, Kind::transport);
+  EXPECT_EQ(after_a_drag.front().kind, Kind::approach);
+  EXPECT_EQ(after_a_drag.size(), after_rest.size() + 1);
 }
 
-TEST(OtherWays, EndWithEveryTransportOnARefinedMesh) {
-  const Workspace workspace = test::held_frame(1);
-  OtherWays ways(energy_of(workspace), false);
-  const std::vector<int> faces = faces_of_all(ways, workspace);
-  const std::size_t half = first_plans(workspace) + kRandomOrdersOfOtherWays;
-  ASSERT_EQ(faces.size(), 2 * half);
-  for (std::size_t i = 0; i < half; ++i) EXPECT_EQ(faces[i], workspace.mesh.face_count());
-  for (std::size_t i = half; i < faces.size(); ++i)
-    EXPECT_GT(faces[i], 3 * workspace.mesh.face_count());
+TEST(OtherWays, ComeInTheirOrder) {
+  const test::OwnWorkspace own = test::held_frame(1);
+  const std::vector<Way> ways = ways_of(own.work);
+  const std::size_t first = plans_of(own.work, 0).size();
+  const std::vector<TransportPlan> plans = plans_of(own.work, kRandomOrders);
+  ASSERT_EQ(ways.size(), first + 2 + kRandomOrders + plans.size());
+  for (std::size_t i = 0; i < first; ++i) {
+    EXPECT_TRUE(is_plain_transport(ways[i])) << i;
+    EXPECT_EQ(ways[i].plan.groups, plans[i].groups) << i;
+  }
+  for (const std::size_t i : {first, first + 1}) {
+    EXPECT_EQ(ways[i].kind, Kind::onwards);
+    EXPECT_EQ(ways[i].is_refined, i == first + 1);
+  }
+  for (std::size_t i = first + 2; i < ways.size(); ++i) {
+    const bool is_refined = i >= first + 2 + kRandomOrders;
+    const std::size_t plan = is_refined ? i - first - 2 - kRandomOrders : i - 2;
+    EXPECT_EQ(ways[i].kind, Kind::transport) << i;
+    EXPECT_TRUE(ways[i].goes_in_rounds) << i;
+    EXPECT_EQ(ways[i].is_refined, is_refined) << i;
+    EXPECT_EQ(ways[i].plan.groups, plans[plan].groups) << i;
+  }
 }
 
-TEST(OtherWays, GoOnFromTheNearestLockAfterTheFirstTransports) {
-  const Workspace workspace = test::held_frame(1);
-  OtherWays ways(energy_of(workspace), false);
-  for (std::size_t i = 0; i < first_plans(workspace); ++i) ways.next(workspace);
-  const Workspace& far = workspace;
-  Workspace near = workspace;
-  near.split_edges({{24, Vec2(1, 0)}});  // to tell it from the other
-  ASSERT_GT(near.mesh.face_count(), far.mesh.face_count());
-  near.constraints.targets = 0.9 * near.constraints.targets +
-                           0.1 * held_where_they_are(far.constraints, far.mesh.deformed()).targets;
-  ASSERT_LT(near.error(), far.error());
-  ways.take_locked(near);
-  ways.take_locked(far);
-  EXPECT_EQ(ways.next(workspace)->work.mesh.face_count(), near.mesh.face_count());
-  EXPECT_GT(ways.next(workspace)->work.mesh.face_count(), 3 * near.mesh.face_count());
-  EXPECT_EQ(ways.next(workspace)->work.mesh.face_count(), workspace.mesh.face_count());
-}
-
-TEST(OtherWays, CountWhatWasSpentBefore) {
-  Workspace workspace = test::held_frame(1);
-  OtherWays ways(energy_of(workspace), false);
-  for (std::size_t i = 0; i < first_plans(workspace); ++i) ways.next(workspace);
-  ways.take_locked(workspace);
-  workspace.system.counters.factorizations = 77;
-  EXPECT_EQ(ways.next(workspace)->work.system.counters.factorizations, 77);
+TEST(OtherWays, OfALargeMeshAreFewer) {
+  for (const int columns : {30, 32, 49, 51}) {
+    const Shape shape = grid({.columns = columns, .rows = columns, .width = 0.7, .height = 0.7});
+    const MeshPair mesh(shape.triangles, shape.rest);
+    std::vector<Handle> handles;
+    for (int v = 0; v < 5; ++v)
+      handles.push_back({.id = v, .vertex = v, .target = shape.rest.col((v + 1) % 5)});
+    const std::vector<Way> ways = other_ways(mesh, constraints_of(handles), false);
+    const auto transports = std::ranges::count(ways, Kind::transport, &Way::kind);
+    const bool is_refined = std::ranges::any_of(
+        ways, [](const Way& way) { return way.is_refined && way.kind == Kind::transport; });
+    EXPECT_EQ(is_refined, mesh.face_count() <= 2000) << mesh.face_count();
+    EXPECT_EQ(transports > 6, mesh.face_count() <= 5000) << mesh.face_count();
+  }
 }
 
 }  // namespace

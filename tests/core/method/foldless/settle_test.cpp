@@ -4,57 +4,46 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/quality.h"
-#include "tests/core/method/foldless/settle_fixture.h"
+#include "tests/core/method/foldless/stage_runner.h"
+#include "tests/core/method/foldless/workspaces.h"
+#include "tests/support/valid_pair.h"
 
 namespace foldless {
 namespace {
 
 using test::arrived_workspace;
+using test::OwnWorkspace;
+using test::StageRunner;
 
-void run(Settle& settle, Workspace& workspace) {
-  VertexUpdate update;
-  while (settle.step(workspace, {}, update) == Progress::running) {
-  }
+Quality shape_of(const MeshPair& mesh) {
+  return quality_of(mesh.triangles(), mesh.rest(), mesh.deformed());
 }
 
 Quality settled_quality(std::uint64_t seed, double exponent) {
-  Workspace workspace = arrived_workspace(seed);
-  Settle settle(workspace, exponent);
-  run(settle, workspace);
-  const MeshPair& mesh = workspace.mesh;
-  return quality_of(mesh.triangles(), mesh.rest(), mesh.deformed());
+  OwnWorkspace own = arrived_workspace(seed);
+  test::run_to_the_end(settle(own.work, {.exponent = exponent}));
+  return shape_of(own.work.mesh);
 }
 
 TEST(Settle, NeverRaisesEnergyTimesDistortionAndStaysValid) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    Workspace workspace = arrived_workspace(seed);
-    Settle settle(workspace);
-    VertexUpdate update;
-    double merit = settle.merit_of(workspace);
-    Progress progress = Progress::running;
-    while (progress == Progress::running) {
-      progress = settle.step(workspace, {}, update);
-      EXPECT_LE(settle.merit_of(workspace), merit * (1 + 1e-9));
-      EXPECT_TRUE(test::is_valid(workspace.mesh));
-      merit = settle.merit_of(workspace);
+    OwnWorkspace own = arrived_workspace(seed);
+    double merit = merit_of(own.work);
+    StageRunner<void> runner(settle(own.work));
+    while (!runner.has_ended()) {
+      runner.step();
+      EXPECT_LE(merit_of(own.work), merit * (1 + 1e-9));
+      EXPECT_TRUE(test::is_valid(own.work.mesh));
+      merit = merit_of(own.work);
     }
   }
 }
 
 TEST(Settle, HoldsTheHandlesWhereTheyAre) {
-  Workspace workspace = arrived_workspace(3);
-  Settle settle(workspace);
-  run(settle, workspace);
-  EXPECT_EQ(workspace.error(), 0);
-}
-
-TEST(Settle, LeavesTheEnergyOfTheSceneToOthers) {
-  Workspace workspace = arrived_workspace(3);
-  Settle settle(workspace);
-  VertexUpdate update;
-  settle.step(workspace, {}, update);
-  EXPECT_EQ(workspace.system.objective().settings().conformal_weight, 0);
+  OwnWorkspace own = arrived_workspace(3);
+  test::run_to_the_end(settle(own.work));
+  EXPECT_EQ(own.work.error(), 0);
 }
 
 TEST(Settle, ALargerExponentLowersTheDistortions) {
@@ -73,29 +62,28 @@ TEST(Settle, ALargerExponentLowersTheDistortions) {
 
 /// A grid at rest but for a vertex next to the opposite edge of one of its triangles; in the map
 /// that vertex is where it belongs. Its Jacobians are in the order of 1/height.
-Workspace crushed_workspace(double height) {
+OwnWorkspace crushed_workspace(double height) {
   const Shape shape = grid({.columns = 8, .rows = 8, .width = 0.7, .height = 0.7});
   Points rest = shape.rest;
   const Vec2 foot = 0.5 * (rest.col(39) + rest.col(49));
   rest.col(40) = foot + height * (rest.col(40) - foot);
   const MeshPair mesh(shape.triangles, rest, shape.rest);
-  Constraints constraints = held_where_they_are(
-      constraints_of({{.id = 0, .vertex = 0}, {.id = 1, .vertex = 80}}), mesh.deformed());
-  EnergySettings energy{.density = find_density("green-strain"), .beta = 2, .delta = 1e-12};
-  NewtonSystem system(energy, mesh, constraints);
-  return {mesh, std::move(constraints), std::move(system), 1e-3, true};
+  const Constraints constraints =
+      constraints_of({{.id = 0, .vertex = 0, .target = shape.rest.col(0)},
+                      {.id = 1, .vertex = 80, .target = shape.rest.col(80)}});
+  RunSettings settings = test::run_settings(find_density("green-strain"), mesh);
+  settings.energy.delta = 1e-12;
+  settings.energy.barrier_area_weighted = false;
+  return {mesh, constraints, std::move(settings)};
 }
 
 TEST(Settle, FindsItsWayOutOfTrianglesThatAreNearlyCrushed) {
   for (const double height : {1e-2, 1e-4, 1e-6}) {
     SCOPED_TRACE(height);
-    Workspace workspace = crushed_workspace(height);
-    ASSERT_TRUE(test::is_valid(workspace.mesh));
-    Settle settle(workspace);
-    run(settle, workspace);
-    const MeshPair& mesh = workspace.mesh;
-    EXPECT_LT(quality_of(mesh.triangles(), mesh.rest(), mesh.deformed()).max_conformal_distortion,
-              10);
+    OwnWorkspace own = crushed_workspace(height);
+    ASSERT_TRUE(test::is_valid(own.work.mesh));
+    test::run_to_the_end(settle(own.work));
+    EXPECT_LT(shape_of(own.work.mesh).max_conformal_distortion, 10);
   }
 }
 

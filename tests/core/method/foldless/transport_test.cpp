@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/transport.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "core/method/foldless/transport_plans.h"
+#include "tests/core/method/foldless/stage_runner.h"
+#include "tests/core/method/foldless/workspaces.h"
+#include "tests/support/valid_pair.h"
+
+namespace foldless {
+namespace {
+
+using test::OwnWorkspace;
+using test::StageRunner;
+
+constexpr int kMostTransportSteps = 3000;
+
+/// Runs to the end; every mesh on the way is proved.
+Progress run_validly(StageRunner<Progress>& runner, const Workspace& work) {
+  for (int step = 0; step < kMostTransportSteps && !runner.has_ended(); ++step) {
+    runner.step();
+    EXPECT_TRUE(test::is_valid(work.mesh)) << "step " << step;
+  }
+  return runner.has_ended() ? runner.result() : Progress::locked;
+}
+
+Progress run_validly(Steps<Progress> steps, const Workspace& work) {
+  StageRunner<Progress> runner(std::move(steps));
+  return run_validly(runner, work);
+}
+
+TransportPlan all_together(const Workspace& work) {
+  return transport_plans(work.handles(), work.constraints.targets, 0).front();
+}
+
+/// Frames whose handles lock when they are carried all together, where they locked.
+struct LockedTransport {
+  std::uint64_t seed;
+  std::unique_ptr<OwnWorkspace> locked;
+};
+
+std::vector<LockedTransport> locked_transports() {
+  std::vector<LockedTransport> found;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::unique_ptr<OwnWorkspace> own(new OwnWorkspace(test::held_frame(seed)));
+    if (run_validly(transport(own->work, all_together(own->work)), own->work) == Progress::locked)
+      found.push_back({seed, std::move(own)});
+  }
+  EXPECT_GE(found.size(), 8U) << "the claims would be empty";
+  return found;
+}
+
+TEST(Transport, InRoundsArrivesWhereAPlainOneLocks) {
+  int arrived = 0;
+  for (const auto& [seed, locked] : locked_transports()) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = test::held_frame(seed);
+    Workspace& work = own.work;
+    if (run_validly(transport_in_rounds(work, all_together(work)), work) != Progress::arrived)
+      continue;
+    ++arrived;
+    EXPECT_EQ(work.error(), 0);
+  }
+  EXPECT_GE(arrived, 3);
+}
+
+TEST(Transport, GoesOnFromWhereOneLockedAndSettlesFirst) {
+  const std::vector<LockedTransport> transports = locked_transports();
+  std::size_t nearer = 0;
+  for (const auto& [seed, locked] : transports) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Workspace& work = locked->work;
+    const double error = work.error();
+    StageRunner<Progress> runner(transport_onwards(work));
+    ASSERT_TRUE(runner.step());
+    EXPECT_EQ(runner.records().front().phase, Phase::settle);
+    EXPECT_EQ(work.error(), error) << "handles stay where they are meanwhile";
+    run_validly(runner, work);
+    nearer += work.error() < error;
+  }
+  EXPECT_GT(2 * nearer, transports.size());
+}
+
+}  // namespace
+}  // namespace foldless
