@@ -9,6 +9,7 @@
 #include "core/method/foldless/prescribed_regions.h"
 #include "core/method/foldless/workspace.h"
 #include "core/method/stepped_method.h"
+#include "core/solve/descent.h"
 
 namespace foldless {
 
