@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/method/conformal_system.h"
 #include "core/cone/second_order_cone.h"
+#include "core/method/conformal_system.h"
 #include "tests/core/method/method_fixture.h"
 
 namespace foldless {
@@ -104,7 +104,7 @@ void expect_certificate(const ConeProgram& program, const ConeSolution& solution
   EXPECT_LT(Gz.cwiseAbs().maxCoeff() / -gz, 1e-6);
 }
 
-struct Reference {
+struct OtherSolver {
   const char* energy;
   double K;
   double energy_value;
@@ -112,8 +112,8 @@ struct Reference {
 
 TEST(ConeProgram, BoundedConformalProgramsHaveTheEnergiesOfAnotherSolver) {
   for (const auto& [energy, K, value] :
-       {Reference{"dirichlet", 1.8, .114948887}, Reference{"dirichlet", 2.4, .101081213},
-        Reference{"lscm", 1.8, .067708038}, Reference{"lscm", 2.4, .065811077}}) {
+       {OtherSolver{"dirichlet", 1.8, .114948887}, OtherSolver{"dirichlet", 2.4, .101081213},
+        OtherSolver{"lscm", 1.8, .067708038}, OtherSolver{"lscm", 2.4, .065811077}}) {
     SCOPED_TRACE(testing::Message() << energy << " K " << K);
     Posed posed(reference_problem(energy));
     const ConeProgram program = posed.bounded(K);
@@ -126,8 +126,8 @@ TEST(ConeProgram, BoundedConformalProgramsHaveTheEnergiesOfAnotherSolver) {
 
 TEST(ConeProgram, HalfPlanesGiveTheProgramsOfInjectiveProjection) {
   for (const auto& [energy, K, value] :
-       {Reference{"dirichlet", 1.8, .02496975}, Reference{"dirichlet", 2.4, .00240798},
-        Reference{"lscm", 1.8, .00163097}}) {
+       {OtherSolver{"dirichlet", 1.8, .02496975}, OtherSolver{"dirichlet", 2.4, .00240798},
+        OtherSolver{"lscm", 1.8, .00163097}}) {
     SCOPED_TRACE(testing::Message() << energy << " K " << K);
     const Problem problem = reference_problem(energy);
     Posed posed(problem);

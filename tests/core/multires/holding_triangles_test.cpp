@@ -15,7 +15,7 @@
 namespace foldless {
 namespace {
 
-MeshPair mesh_of(const Shape& shape) { return {shape.triangles, shape.rest}; }
+MeshPair shape_as_mesh(const Shape& shape) { return {shape.triangles, shape.rest}; }
 
 /// Exact, the boundary included.
 bool holds(const MeshPair& mesh, int triangle, const Vec2& p) {
@@ -30,7 +30,7 @@ TEST(HoldingTriangles, HoldTheirVerticesExactly) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
-    const MeshPair fine = mesh_of(test::random_shape(random));
+    const MeshPair fine = shape_as_mesh(test::random_shape(random));
     const CoarseMesh coarse = coarsened(fine, {}, fine.vertex_count() / 3);
     const std::vector<int> triangles = holding_triangles(coarse, fine);
     for (int v = 0; v < fine.vertex_count(); ++v)
@@ -43,7 +43,7 @@ TEST(HoldingTriangles, OfVerticesOnCoarseEdgesTouchThem) {
   // Rounding puts vertices of a turned grid off the coarse edges that pass through them.
   Shape shape = grid({.columns = 40, .rows = 40, .diagonal = Diagonal::alternating});
   shape.rest = Eigen::Rotation2Dd(0.3).toRotationMatrix() * shape.rest;
-  const MeshPair fine = mesh_of(shape);
+  const MeshPair fine = shape_as_mesh(shape);
   const CoarseMesh coarse = coarsened(fine, {}, 300);
   const std::vector<int> triangles = holding_triangles(coarse, fine);
   for (int v = 0; v < fine.vertex_count(); ++v)
@@ -53,7 +53,7 @@ TEST(HoldingTriangles, OfVerticesOnCoarseEdgesTouchThem) {
 
 TEST(HoldingTriangles, AreOfTheSheetOfTheirVertexWhereTheDomainLiesOverItself) {
   const int columns = 240, rows = 12;
-  const MeshPair fine = mesh_of(test::wound_strip(columns, rows, 3));
+  const MeshPair fine = shape_as_mesh(test::wound_strip(columns, rows, 3));
   ASSERT_TRUE(is_injective(fine.triangles(), fine.rest()));
   const CoarseMesh coarse = coarsened(fine, {}, 900);
   ASSERT_LT(coarse.mesh.vertex_count(), fine.vertex_count() / 2);
@@ -72,7 +72,7 @@ TEST(HoldingTriangles, AreOfTheSheetOfTheirVertexWhereTheDomainLiesOverItself) {
 
 TEST(HoldingTriangles, AreFoundAfterTheCoarseMeshWasFlippedAndSplit) {
   std::mt19937_64 random(5);
-  const MeshPair fine = mesh_of(grid({.columns = 30, .rows = 30}));
+  const MeshPair fine = shape_as_mesh(grid({.columns = 30, .rows = 30}));
   CoarseMesh coarse = coarsened(fine, {}, 250);
   for (int k = 0; k < 60; ++k) {
     const int e = static_cast<int>(random() % static_cast<unsigned>(coarse.mesh.edge_count()));

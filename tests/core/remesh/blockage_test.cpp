@@ -13,7 +13,7 @@
 namespace foldless {
 namespace {
 
-const Vec2 kEast(1, 0);
+using test::kEast;
 
 std::vector<Edge> blocking_edges(const MeshPair& mesh, const Blockage& blockage) {
   std::vector<Edge> edges;

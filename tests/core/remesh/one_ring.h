@@ -10,6 +10,8 @@
 
 namespace foldless::test {
 
+inline const Vec2 kEast(1, 0);
+
 /// Vertex 0 at the origin with a closed link, vertices 1, 2, … counter-clockwise.
 inline MeshPair one_ring(const std::vector<Vec2>& link) {
   const int n = static_cast<int>(link.size());

@@ -12,7 +12,7 @@
 namespace foldless {
 namespace {
 
-const Vec2 kEast(1, 0);
+using test::kEast;
 
 /// True when vertex 0 may sit at `v_alpha` with the new vertices where they are told.
 bool is_free_at(const MeshPair& mesh, const Vec2& v_alpha, const std::vector<Vec2>& new_vertices) {

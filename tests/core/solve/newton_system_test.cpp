@@ -127,6 +127,7 @@ TEST(NewtonSystem, HasAPlainFactorOfWhatWasAssembledLastOnly) {
     return system.has_plain_factor();
   };
   EXPECT_TRUE(factorized());
+  EXPECT_TRUE(factorized()) << "and not what was assembled before";
   system.moved();
   EXPECT_FALSE(system.has_plain_factor());
   EXPECT_TRUE(factorized());
