@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "core/linear/sparse_symmetric.h"
 #include "core/linear/cholesky.h"
+#include "core/linear/sparse_symmetric.h"
 #include "core/stage_times.h"
 
 namespace foldless {

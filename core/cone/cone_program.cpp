@@ -178,7 +178,7 @@ bool InteriorPoint::scale() {
   scaling_.clear();
   for (Eigen::Index t = 0; t < s_.cols(); ++t) {
     scaling_.emplace_back(s_.col(t), z_.col(t));
-    middle_[static_cast<std::size_t>(t)] = scaling_.back().W_inverse_squared;
+    middle_[static_cast<std::size_t>(t)] = scaling_.back().W_inv2;
   }
   return matrix_.factorize(program_, middle_);
 }
@@ -207,7 +207,7 @@ Cones InteriorPoint::corrected(const Direction& affine) const {
   for (Eigen::Index t = 0; t < s_.cols(); ++t) {
     const NesterovTodd& w = scaling_[static_cast<std::size_t>(t)];
     const Cone3 right = sigma * mu * Cone3::UnitX() -
-                        cone_product(w.W_inverse * affine.s.col(t), w.W * affine.z.col(t));
+                        cone_product(w.W_inv * affine.s.col(t), w.W * affine.z.col(t));
     complementarity.col(t) = cone_quotient(w.lambda, right) - w.lambda;
   }
   return complementarity;
@@ -224,7 +224,7 @@ InteriorPoint::Direction InteriorPoint::direction(const Cones& complementarity) 
   Cones scaled(3, s_.cols());
   for (Eigen::Index t = 0; t < s_.cols(); ++t) {
     const NesterovTodd& w = scaling_[static_cast<std::size_t>(t)];
-    scaled.col(t) = w.W_inverse * complementarity.col(t) - w.W_inverse_squared * r.primal.col(t);
+    scaled.col(t) = w.W_inv * complementarity.col(t) - w.W_inv2 * r.primal.col(t);
   }
   Direction d;
   d.x = matrix_.solve(program_, middle_, transposed_rows(scaled) - r.dual);
@@ -232,7 +232,7 @@ InteriorPoint::Direction InteriorPoint::direction(const Cones& complementarity) 
   d.z.resize(3, s_.cols());
   for (Eigen::Index t = 0; t < s_.cols(); ++t) {
     const NesterovTodd& w = scaling_[static_cast<std::size_t>(t)];
-    d.z.col(t) = w.W_inverse * complementarity.col(t) - w.W_inverse_squared * d.s.col(t);
+    d.z.col(t) = w.W_inv * complementarity.col(t) - w.W_inv2 * d.s.col(t);
   }
   return d;
 }

@@ -54,8 +54,8 @@ NesterovTodd::NesterovTodd(const Cone3& s, const Cone3& z) {
   const Cone3 Jw = mirrored(w);
   const Eigen::Matrix3d J = Cone3(1, -1, -1).asDiagonal();
   W = beta * (2 * v * v.transpose() - J);
-  W_inverse = (2 * Jv * Jv.transpose() - J) / beta;
-  W_inverse_squared = (2 * Jw * Jw.transpose() - J) / (beta * beta);
+  W_inv = (2 * Jv * Jv.transpose() - J) / beta;
+  W_inv2 = (2 * Jw * Jw.transpose() - J) / (beta * beta);
   lambda = W * z;
 }
 

@@ -28,8 +28,8 @@ struct NesterovTodd {
   NesterovTodd(const Cone3& s, const Cone3& z);
 
   Eigen::Matrix3d W;
-  Eigen::Matrix3d W_inverse;
-  Eigen::Matrix3d W_inverse_squared;
+  Eigen::Matrix3d W_inv;
+  Eigen::Matrix3d W_inv2;
   Cone3 lambda;
 };
 

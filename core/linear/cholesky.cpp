@@ -16,6 +16,7 @@
 /// CHOLMOD opens a parallel region for every few columns, and libgomp makes a team for each, even
 /// of one thread: half of the time of a factorization. This definition comes before libgomp's: the
 /// region runs on the calling thread, outside of any team.
+// NOLINTBEGIN(readability-identifier-naming, readability-redundant-declaration): names of others
 extern "C" __attribute__((visibility("default"))) void GOMP_parallel(void (*region)(void*),
                                                                      void* data, unsigned,
                                                                      unsigned);
@@ -25,6 +26,7 @@ void GOMP_parallel(void (*region)(void*), void* data, unsigned, unsigned) { regi
 /// small factorization, for statistics that nobody reads here.
 extern "C" __attribute__((visibility("default"))) double SuiteSparse_time();
 double SuiteSparse_time() { return 0; }
+// NOLINTEND(readability-identifier-naming, readability-redundant-declaration)
 
 namespace foldless {
 namespace {

@@ -31,7 +31,7 @@ std::string lambda_words(double lambda) {
 
 }  // namespace
 
-BoundedConformal::BoundedConformal(Problem problem)
+BoundedConformal::BoundedConformal(const Problem& problem)
     : mesh_(problem.mesh),
       parameters_(problem.parameters),
       constraints_(constraints_of(problem.handles)),

@@ -27,7 +27,7 @@ class BoundedConformal final : public SteppedMethod {
  public:
   /// Throws Error when the energy is none of dirichlet, lscm and arap, or cannot hold a part of
   /// the mesh.
-  explicit BoundedConformal(Problem problem);
+  explicit BoundedConformal(const Problem& problem);
 
   std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return mesh_; }

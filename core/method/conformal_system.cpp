@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/mesh/components.h"
 #include "core/error.h"
+#include "core/mesh/components.h"
 #include "core/mesh/quality.h"
 #include "core/method/satisfied.h"
 
@@ -48,7 +48,8 @@ Eigen::Matrix<double, 4, 6> derivative_matrix(const Eigen::Matrix<double, 2, 3>&
 
 /// Every component of a problem under a conformal energy needs two handles, or it may grow.
 void expect_two_handles(const Problem& problem, std::string_view method) {
-  const std::vector<int> component = components_of(problem.mesh.triangles(), problem.mesh.vertex_count());
+  const std::vector<int> component =
+      components_of(problem.mesh.triangles(), problem.mesh.vertex_count());
   std::vector<int> handles(component.size(), 0);
   const auto of = [&](const Handle& h) {
     return static_cast<std::size_t>(component[static_cast<std::size_t>(h.vertex)]);
@@ -96,8 +97,8 @@ void ConformalSystem::find_unknowns(const Problem& problem) {
       held_.push_back(t);
       continue;
     }
-    triangle.B = derivative_matrix(
-        diagonal_ * hat_gradients(rest_.col(t[0]), rest_.col(t[1]), rest_.col(t[2]), triangle.area));
+    triangle.B = derivative_matrix(diagonal_ * hat_gradients(rest_.col(t[0]), rest_.col(t[1]),
+                                                             rest_.col(t[2]), triangle.area));
     free_.push_back(triangle);
   }
 }
@@ -156,8 +157,7 @@ ConeProgram ConformalSystem::program(const Points& u, const Points& targets,
                                  term.zbar_target.real(), term.zbar_target.imag());
     const Eigen::Vector4d weights(term.z_weight, term.z_weight, term.zbar_weight, term.zbar_weight);
     const double area = triangle.area / (diagonal_ * diagonal_);
-    const Eigen::Matrix<double, 6, 4> BD =
-        2 * area * triangle.B.transpose() * weights.asDiagonal();
+    const Eigen::Matrix<double, 6, 4> BD = 2 * area * triangle.B.transpose() * weights.asDiagonal();
     e.nodes = triangle.nodes;
     e.weight = area;
     e.P = BD * triangle.B;
@@ -173,7 +173,8 @@ ConeProgram ConformalSystem::program(const Points& u, const Points& targets,
   for (const Spring& spring : springs_) {
     ConeElement& e = program[spring.triangle];
     e.P.diagonal().segment<2>(2 * spring.corner).array() += 2 * spring.stiffness;
-    e.q.segment<2>(2 * spring.corner) -= 2 * spring.stiffness * targets.col(spring.handle) / diagonal_;
+    e.q.segment<2>(2 * spring.corner) -=
+        2 * spring.stiffness * targets.col(spring.handle) / diagonal_;
   }
   return program;
 }

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "core/cone/cone_program.h"
 #include "core/energy/constraints.h"
 #include "core/iteration.h"
 #include "core/mesh/injective.h"
 #include "core/method/conformal_parts.h"
 #include "core/method/method.h"
-#include "core/cone/cone_program.h"
 
 namespace foldless {
 
@@ -65,7 +65,8 @@ class ConformalSystem {
   double energy(const Points& u) const;
 
   /// The record of a move from one map to another.
-  Iteration record(const MeshPair& mesh, const Points& previous, const Constraints& constraints) const;
+  Iteration record(const MeshPair& mesh, const Points& previous,
+                   const Constraints& constraints) const;
 
   ConeSolver solver;
 

@@ -16,7 +16,7 @@ constexpr int kMostPrograms = 100;
 
 }  // namespace
 
-InjectiveProjection::InjectiveProjection(Problem problem)
+InjectiveProjection::InjectiveProjection(const Problem& problem)
     : mesh_(problem.mesh),
       parameters_(problem.parameters),
       constraints_(constraints_of(problem.handles)),

@@ -21,7 +21,7 @@ class InjectiveProjection final : public SteppedMethod {
  public:
   /// Throws Error when the energy is none of dirichlet, lscm and arap, or cannot hold a part of
   /// the mesh.
-  explicit InjectiveProjection(Problem problem);
+  explicit InjectiveProjection(const Problem& problem);
 
   std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return mesh_; }

@@ -21,7 +21,7 @@ Energy part_way(const Energy& energy, const Points& u, double t) {
 
 }  // namespace
 
-Lim::Lim(Problem problem)
+Lim::Lim(const Problem& problem)
     : mesh_(problem.mesh),
       parameters_(problem.parameters),
       diagonal_(bounding_box_diagonal(mesh_.rest())),
@@ -38,7 +38,7 @@ void Lim::set_targets(const Points& targets) {
 Steps<Outcome> Lim::solve() {
   verdict_.clear();
   double step_scale = 1;
-  const auto next = [&](std::stop_token token) { return update(step_scale, std::move(token)); };
+  const auto next = [&](const std::stop_token& token) { return update(step_scale, token); };
   for (int inner = 1;; ++inner) {
     const VertexUpdate moved = co_await vertex_update(next);
     system_.assemble_gradient(energy_, mesh_.deformed());
@@ -53,7 +53,7 @@ Steps<Outcome> Lim::solve() {
   }
 }
 
-VertexUpdate Lim::update(double& step_scale, std::stop_token token) {
+VertexUpdate Lim::update(double& step_scale, const std::stop_token& token) {
   system_.assemble(energy_, mesh_.deformed());
   const std::optional<double> mu = system_.factorize_damped(false, token);
   if (!mu) return {.cancelled = token.stop_requested()};

@@ -17,7 +17,7 @@ namespace foldless {
 /// says. Lengths are in units of D, the diagonal of the rest mesh, whatever that is.
 class Lim final : public SteppedMethod {
  public:
-  explicit Lim(Problem problem);
+  explicit Lim(const Problem& problem);
 
   std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return mesh_; }
@@ -25,7 +25,7 @@ class Lim final : public SteppedMethod {
 
  private:
   Steps<Outcome> solve();
-  VertexUpdate update(double& step_scale, std::stop_token token);
+  VertexUpdate update(double& step_scale, const std::stop_token& token);
   VertexUpdate move_along(const Points& step, const Energy& energy, double& step_scale);
   std::optional<Outcome> convergence(const VertexUpdate& update) const;
 

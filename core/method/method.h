@@ -48,7 +48,7 @@ class Method {
   Method& operator=(const Method&) = delete;
 
   /// One vertex update. Nothing when the run has ended (see outcome()) or the token was set.
-  virtual std::optional<Iteration> step(std::stop_token token) = 0;
+  virtual std::optional<Iteration> step(const std::stop_token& token) = 0;
   /// How the run ended; nothing while step() can still make progress.
   virtual std::optional<Outcome> outcome() const = 0;
   /// One sentence on how the run ended where outcome() does not say it all; may be empty.

@@ -13,10 +13,10 @@
 namespace foldless {
 namespace {
 
-template <bool kFlips, bool kSplits>
+template <bool Flips, bool Splits>
 std::unique_ptr<Method> start_remeshing_assisted(Problem problem) {
   return std::make_unique<RemeshingAssisted>(std::move(problem),
-                                             Remeshing{.flips = kFlips, .splits = kSplits});
+                                             Remeshing{.flips = Flips, .splits = Splits});
 }
 
 template <typename Kind>

@@ -8,8 +8,9 @@
 namespace foldless {
 
 /// The record of one update on a mesh: energies, gradient, distortion and what was spent. The place
-/// in the loops, the phase and seconds are the method's to add. The penalty is that of the targets even
-/// where handles are held. Precondition: `system` has E and ∇E of `energy` as they are at the mesh.
+/// in the loops, the phase and seconds are the method's to add. The penalty is that of the targets
+/// even where handles are held. Precondition: `system` has E and ∇E of `energy` as they are at the
+/// mesh.
 Iteration record_of(const VertexUpdate& update, const NewtonSystem& system, const MeshPair& mesh,
                     const Energy& energy);
 

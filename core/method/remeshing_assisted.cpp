@@ -84,7 +84,7 @@ double gradient_tolerance(const Parameters& parameters, double diagonal) {
   return parameters.gradient_tolerance * diagonal * diagonal;
 }
 
-RemeshingAssisted::RemeshingAssisted(Problem problem, Remeshing remeshing)
+RemeshingAssisted::RemeshingAssisted(const Problem& problem, Remeshing remeshing)
     : mesh_(problem.mesh),
       parameters_(problem.parameters),
       remeshing_(remeshing),
@@ -127,8 +127,8 @@ Steps<Outcome> RemeshingAssisted::algorithm_1() {
 Steps<RemeshingAssisted::RoundEnd> RemeshingAssisted::inner_loop(int outer) {
   RoundEnd round;
   Watch watch;
-  const auto next = [this](std::stop_token token) {
-    return update_vertices(system_, mesh_, energy_, std::move(token));
+  const auto next = [this](const std::stop_token& token) {
+    return update_vertices(system_, mesh_, energy_, token);
   };
   for (int inner = 1;; ++inner) {
     round.handles_before = handle_positions(energy_.constraints, mesh_.deformed());
@@ -159,8 +159,8 @@ Steps<RemeshingAssisted::RoundEnd> RemeshingAssisted::inner_loop(int outer) {
 
 // Until ∇²E is positive definite, whose factor serves the next update, or no vertex moves any more.
 Steps<bool> RemeshingAssisted::relax(int outer, int inner) {
-  const auto next = [this](std::stop_token token) {
-    return relax_vertices(system_, mesh_, energy_, std::move(token));
+  const auto next = [this](const std::stop_token& token) {
+    return relax_vertices(system_, mesh_, energy_, token);
   };
   for (bool has_moved = false;; has_moved = true) {
     const std::optional<VertexUpdate> relaxed = co_await vertex_update(next);
@@ -217,8 +217,7 @@ int RemeshingAssisted::split(const RoundEnd& round) {
       {round.outcome, round.is_last_step_small, round.handles_before, system_.gradient()},
       off_target);
   const int splits = split_edges(
-      mesh_, directions,
-      {.shortest_edge = kShortestEdge * diagonal_, .delta = parameters_.delta});
+      mesh_, directions, {.shortest_edge = kShortestEdge * diagonal_, .delta = parameters_.delta});
   if (splits > 0) system_.rebuild(mesh_, energy_.constraints, splits);
   effort().splits += splits;
   return splits;

@@ -17,7 +17,7 @@ struct Remeshing {
 /// the rest mesh, whatever that is.
 class RemeshingAssisted final : public SteppedMethod {
  public:
-  RemeshingAssisted(Problem problem, Remeshing remeshing);
+  RemeshingAssisted(const Problem& problem, Remeshing remeshing);
 
   const MeshPair& mesh() const override { return mesh_; }
   void set_targets(const Points& targets) override;
@@ -52,8 +52,8 @@ class RemeshingAssisted final : public SteppedMethod {
   NewtonSystem system_;
 };
 
-/// The energy that a problem's parameters ask for, with D of its rest mesh in the constants that the
-/// paper chose for D = 1. The mean rest area turns the paper's β for energies that it sums
+/// The energy that a problem's parameters ask for, with D of its rest mesh in the constants that
+/// the paper chose for D = 1. The mean rest area turns the paper's β for energies that it sums
 /// unweighted into the β of the weighted sum.
 EnergySettings energy_settings(const Problem& problem);
 

@@ -10,7 +10,7 @@ void SteppedMethod::begin(Steps<Outcome> steps) {
   see_whether_ended();
 }
 
-std::optional<Iteration> SteppedMethod::step(std::stop_token token) {
+std::optional<Iteration> SteppedMethod::step(const std::stop_token& token) {
   if (!steps_ || outcome_ || token.stop_requested()) return std::nullopt;
   const double start = thread_seconds();
   context_.record.reset();

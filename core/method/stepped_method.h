@@ -12,7 +12,7 @@ namespace foldless {
 /// A method that is written as a coroutine: step() goes on with it for one vertex update.
 class SteppedMethod : public Method {
  public:
-  std::optional<Iteration> step(std::stop_token token) final;
+  std::optional<Iteration> step(const std::stop_token& token) final;
   std::optional<Outcome> outcome() const final { return outcome_; }
   StageTimes times() const override { return effort_.times; }
 

@@ -28,7 +28,7 @@ class Steps;
 class UpdateRequest {
  public:
   /// Makes the update; false when it was cancelled, which changed nothing.
-  virtual bool make(std::stop_token token) = 0;
+  virtual bool make(const std::stop_token& token) = 0;
 
  protected:
   ~UpdateRequest() = default;
@@ -54,7 +54,7 @@ class VertexUpdateRequest final : public UpdateRequest {
 
   explicit VertexUpdateRequest(Make& make) : make_(make) {}
 
-  bool make(std::stop_token token) override {
+  bool make(const std::stop_token& token) override {
     update_ = make_(token);
     return !is_cancelled(*update_);
   }

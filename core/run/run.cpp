@@ -65,9 +65,9 @@ std::optional<Outcome> Run::outcome() const {
   return method_ ? method_->outcome() : Outcome::gradient;
 }
 
-std::optional<Iteration> Run::step(std::stop_token token) {
+std::optional<Iteration> Run::step(const std::stop_token& token) {
   if (!method_) return std::nullopt;
-  std::optional<Iteration> iteration = method_->step(std::move(token));
+  std::optional<Iteration> iteration = method_->step(token);
   if (!iteration) return std::nullopt;
   iteration = in_input_units(*iteration, normalisation());
   if (auto next = publisher_->publish(method_->mesh(), may_fold(parameters_.method))) {

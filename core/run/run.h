@@ -22,9 +22,9 @@ using MethodStarter = std::function<std::unique_ptr<Method>(Problem problem)>;
 /// Starts the method that the problem's parameters name. Throws Error when there is none.
 std::unique_ptr<Method> start_method(Problem problem);
 
-/// A method on a problem in input units: it solves the active part, normalised, and a Publisher makes
-/// proved snapshots of what it reaches. Where nothing is active the run has ended before it began.
-/// Not thread-safe: one thread at a time may call it.
+/// A method on a problem in input units: it solves the active part, normalised, and a Publisher
+/// makes proved snapshots of what it reaches. Where nothing is active the run has ended before it
+/// began. Not thread-safe: one thread at a time may call it.
 class Run {
  public:
   /// Throws Error when the method is unknown, or when the problem's mesh is not locally injective
@@ -37,7 +37,7 @@ class Run {
   /// and counters are the same in both frames. A mesh that is not locally injective in input units
   /// is not published, unless the method may fold and its rest mesh is: the record is returned, but
   /// snapshot() stays what it was.
-  std::optional<Iteration> step(std::stop_token token);
+  std::optional<Iteration> step(const std::stop_token& token);
   /// How the run ended; nothing while it can go on.
   std::optional<Outcome> outcome() const;
   /// One sentence on that end where the outcome does not say it all; may be empty.

@@ -34,7 +34,7 @@ Points moved(const MeshPair& mesh, const Constraints& constraints, const Points&
 }  // namespace
 
 VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
-                           std::stop_token token) {
+                           const std::stop_token& token) {
   const auto& [settings, constraints] = energy;
   system.assemble(energy, mesh.deformed(), 1);
   const Points way = way_of_handles(mesh, constraints);

@@ -16,6 +16,6 @@ namespace foldless {
 /// line_search(), so that no triangle reaches A′ = δA on the way; at t = 1 the handles are exactly
 /// on their targets. E may rise. Counts H and U. Precondition: `positions.held`.
 VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
-                           std::stop_token token);
+                           const std::stop_token& token);
 
 }  // namespace foldless

@@ -30,7 +30,7 @@ VertexUpdate step_along(const Points& step, NewtonSystem& system, MeshPair& mesh
 
 }  // namespace
 
-std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token,
+std::optional<double> factorize_clamped(NewtonSystem& system, const std::stop_token& token,
                                         double last_shift) {
   for (double mu = std::max(kLeastShift, last_shift / kShiftFactor); mu < kLargestShift;
        mu *= kShiftFactor) {
@@ -41,7 +41,7 @@ std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token to
 }
 
 VertexUpdate Descent::step(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
-                           std::stop_token token) {
+                           const std::stop_token& token) {
   if (clamping_ < 1) {
     system.assemble(energy, mesh.deformed(), clamping_);
     if (const std::optional<Points> step = step_if_definite(system)) {

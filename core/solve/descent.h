@@ -27,7 +27,7 @@ class Descent {
   /// with the curvature of every element clamped. Moves the deformed positions of `mesh`; they stay
   /// feasible on the whole way. Counts H and U.
   VertexUpdate step(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
-                    std::stop_token token);
+                    const std::stop_token& token);
 
  private:
   std::optional<Points> step_if_definite(NewtonSystem& system) const;
@@ -44,7 +44,7 @@ class Descent {
 
 /// Factorizes ∇²E as last assembled with clamped elements: the shift that rounding made necessary,
 /// tried from the one before `last_shift` on, or nothing when cancelled or hopeless. Counts H.
-std::optional<double> factorize_clamped(NewtonSystem& system, std::stop_token token,
+std::optional<double> factorize_clamped(NewtonSystem& system, const std::stop_token& token,
                                         double last_shift = 0);
 
 }  // namespace foldless

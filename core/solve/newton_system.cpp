@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solve/newton_system.h"
 
-#include <utility>
-
 namespace foldless {
 namespace {
 
@@ -76,7 +74,8 @@ bool NewtonSystem::factorize_plain() {
   return true;
 }
 
-std::optional<double> NewtonSystem::factorize_damped(bool plain_failed, std::stop_token token) {
+std::optional<double> NewtonSystem::factorize_damped(bool plain_failed,
+                                                     const std::stop_token& token) {
   if (!plain_failed && factorize_plain()) return 0;
   double mu = 0;
   for (bool first = true; lambda_ <= kLargestLambda; first = false) {

@@ -51,7 +51,7 @@ class NewtonSystem {
   /// Factorizes ∇²E + μI for the smallest μ that the damping tries: μ = 0 first unless
   /// `plain_failed` (the caller knows), then λ added cumulatively, ×10 a failure. Nothing when
   /// cancelled or when λ ran out of range, from where it begins anew; else μ.
-  std::optional<double> factorize_damped(bool plain_failed, std::stop_token token);
+  std::optional<double> factorize_damped(bool plain_failed, const std::stop_token& token);
   /// −(factor)⁻¹ ∇E as displacements of the vertices, 2 × #V.
   Points newton_step();
   /// The same where the held handles move by `way`, 2 × #V and zero elsewhere, and the others

@@ -4,11 +4,11 @@
 namespace foldless {
 
 std::optional<VertexUpdate> relax_vertices(NewtonSystem& system, MeshPair& mesh,
-                                           const Energy& energy, std::stop_token token) {
+                                           const Energy& energy, const std::stop_token& token) {
   // E_c pulls to where the handles are (4.2).
-  const Energy relaxing{energy.settings,
-                        with_targets(energy.constraints,
-                                     handle_positions(energy.constraints, mesh.deformed()))};
+  const Energy relaxing{
+      energy.settings,
+      with_targets(energy.constraints, handle_positions(energy.constraints, mesh.deformed()))};
   system.assemble(relaxing, mesh.deformed());
   if (system.factorize_plain()) return std::nullopt;
   const std::optional<double> mu = system.factorize_damped(true, token);

@@ -12,6 +12,6 @@ namespace foldless {
 /// step that lowers E_d + E_b and so improves the condition of ∇²E. Nothing when ∇²E is positive
 /// definite already; the relaxation has ended then and the factor serves the next update.
 std::optional<VertexUpdate> relax_vertices(NewtonSystem& system, MeshPair& mesh,
-                                           const Energy& energy, std::stop_token token);
+                                           const Energy& energy, const std::stop_token& token);
 
 }  // namespace foldless

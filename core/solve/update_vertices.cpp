@@ -6,7 +6,7 @@
 namespace foldless {
 
 VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
-                             std::stop_token token) {
+                             const std::stop_token& token) {
   if (system.has_plain_factor()) {
     system.assemble_gradient(energy, mesh.deformed());
     return move_vertices(system, mesh, energy, 0);

@@ -22,7 +22,7 @@ struct VertexUpdate {
 /// deformed positions of `mesh`; they stay feasible on the whole way. The system's factor is used
 /// again when RelaxVertices left one.
 VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
-                             std::stop_token token);
+                             const std::stop_token& token);
 
 /// Solves with the factor that the system holds, searches along the step and moves the mesh:
 /// what UpdateVertices and RelaxVertices have in common. Counts U.

@@ -2,7 +2,6 @@
 #include "core/method/foldless/approach.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/method/foldless/flipping_descent.h"
 
@@ -72,9 +71,7 @@ Steps<Progress> approach(Workspace& work, FactorUse use) {
   FlippingDescent descent(use);
   Watch watch(work.error());
   int multiplier_steps = 0;
-  const auto next = [&](std::stop_token token) {
-    return descent.step(work, energy, std::move(token));
-  };
+  const auto next = [&](const std::stop_token& token) { return descent.step(work, energy, token); };
   while (true) {
     const VertexUpdate update = co_await vertex_update(next);
     const bool has_arrived = work.error() <= kNearEnough * D * D && work.snap(energy.settings);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/flipping_descent.h"
 
-#include <utility>
-
 namespace foldless {
 namespace flipping_descent {
 
@@ -14,9 +12,10 @@ constexpr double kLeastGainWhileHeld = 2e-3;
 
 }  // namespace flipping_descent
 
-VertexUpdate FlippingDescent::step(Workspace& work, const Energy& energy, std::stop_token token) {
+VertexUpdate FlippingDescent::step(Workspace& work, const Energy& energy,
+                                   const std::stop_token& token) {
   using namespace flipping_descent;
-  const VertexUpdate update = descent_.step(work.system, work.mesh, energy, std::move(token));
+  const VertexUpdate update = descent_.step(work.system, work.mesh, energy, token);
   if (update.cancelled) return update;
   ++steps_since_flips_;
   if (update.step_length < kShortStep || steps_since_flips_ >= kStepsBetweenFlips) {

@@ -13,7 +13,7 @@ class FlippingDescent {
  public:
   explicit FlippingDescent(FactorUse use) : descent_(use) {}
 
-  VertexUpdate step(Workspace& work, const Energy& energy, std::stop_token token);
+  VertexUpdate step(Workspace& work, const Energy& energy, const std::stop_token& token);
   /// Flips now, whatever it gains.
   void flip(Workspace& work, const EnergySettings& energy);
 

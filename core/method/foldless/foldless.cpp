@@ -112,8 +112,8 @@ Steps<> Foldless::coarse_to_fine() {
   if (!coarse) co_return;
   Foldless run(std::move(coarse->problem), dense_);
   const Effort before = effort();
-  const auto next = [&run](std::stop_token token) {
-    const std::optional<Iteration> record = run.step(std::move(token));
+  const auto next = [&run](const std::stop_token& token) {
+    const std::optional<Iteration> record = run.step(token);
     return driver::CoarseStep{record, !record && !run.outcome()};
   };
   while (!run.outcome()) {

@@ -22,7 +22,8 @@ struct VertexMarks {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 VertexMarks marks_of(const MeshPair& mesh, const Constraints& constraints) {
-  VertexMarks marks{std::vector<int>(at(mesh.vertex_count()), kNone), components_of(mesh.triangles(), mesh.vertex_count()),
+  VertexMarks marks{std::vector<int>(at(mesh.vertex_count()), kNone),
+                    components_of(mesh.triangles(), mesh.vertex_count()),
                     interior_vertices(mesh.triangles(), mesh.vertex_count())};
   for (int i = 0; i < constraints.count(); ++i)
     if (!constraints.soft[at(i)]) marks.handle[at(constraints.vertices[at(i)])] = i;
@@ -30,7 +31,8 @@ VertexMarks marks_of(const MeshPair& mesh, const Constraints& constraints) {
 }
 
 /// The vertices of every component whose whole boundary is prescribed.
-std::vector<std::vector<int>> prescribed_components(const MeshPair& mesh, const VertexMarks& marks) {
+std::vector<std::vector<int>> prescribed_components(const MeshPair& mesh,
+                                                    const VertexMarks& marks) {
   std::vector<bool> is_prescribed(marks.component.size(), true);
   for (int v = 0; v < mesh.vertex_count(); ++v)
     if (!marks.interior[at(v)] && marks.handle[at(v)] == kNone)
@@ -68,7 +70,7 @@ std::vector<int> loop_through(const MeshPair& mesh, int start) {
 }
 
 PrescribedRegion region_of(const MeshPair& mesh, const VertexMarks& marks,
-                     const std::vector<int>& component) {
+                           const std::vector<int>& component) {
   PrescribedRegion region;
   std::set<int> in_a_loop;
   std::size_t corners = 0;
@@ -91,7 +93,8 @@ PrescribedRegion region_of(const MeshPair& mesh, const VertexMarks& marks,
 
 }  // namespace
 
-std::vector<PrescribedRegion> prescribed_regions(const MeshPair& mesh, const Constraints& constraints) {
+std::vector<PrescribedRegion> prescribed_regions(const MeshPair& mesh,
+                                                 const Constraints& constraints) {
   const VertexMarks marks = marks_of(mesh, constraints);
   std::vector<PrescribedRegion> regions;
   for (const std::vector<int>& component : prescribed_components(mesh, marks))

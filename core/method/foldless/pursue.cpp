@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/pursue.h"
 
-#include <utility>
-
 #include "core/solve/carry_handles.h"
 
 namespace foldless {
@@ -17,8 +15,8 @@ constexpr int kMostShortSteps = 3;
 Steps<Progress> pursue(Workspace& work) {
   using namespace pursuit;
   const Energy energy = work.held_energy();
-  const auto carry = [&](std::stop_token token) {
-    return carry_handles(work.system, work.mesh, energy, std::move(token));
+  const auto carry = [&](const std::stop_token& token) {
+    return carry_handles(work.system, work.mesh, energy, token);
   };
   for (int short_steps = 0; short_steps < kMostShortSteps;) {
     const VertexUpdate update = co_await vertex_update(carry);

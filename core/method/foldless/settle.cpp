@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/energy/conformal_square.h"
 #include "core/method/foldless/flipping_descent.h"
@@ -52,9 +51,7 @@ Steps<> settle(Workspace& work, SettleSettings settings) {
   Energy energy = scene;
   double& weight = energy.settings.conformal_weight;
   FlippingDescent descent(settings.use);
-  const auto next = [&](std::stop_token token) {
-    return descent.step(work, energy, std::move(token));
-  };
+  const auto next = [&](const std::stop_token& token) { return descent.step(work, energy, token); };
   double E = value_of(work, scene);
   int failures = 0;
   bool is_plain = false;  // the next step lowers E alone

@@ -127,8 +127,8 @@ struct Carrier {
 Steps<> make_stride(Carrier& carrier, const std::vector<int>& group) {
   auto& [work, strides, energy, descent] = carrier;
   energy.constraints.targets = strides.aims();
-  const auto next = [&carrier](std::stop_token token) {
-    return carrier.descent.step(carrier.work, carrier.energy, std::move(token));
+  const auto next = [&carrier](const std::stop_token& token) {
+    return carrier.descent.step(carrier.work, carrier.energy, token);
   };
   for (int step = 0; step < kMostStepsOfAStride; ++step) {
     const VertexUpdate update = co_await vertex_update(next);
@@ -184,8 +184,8 @@ Steps<Progress> go_on_in_rounds(Workspace& work, Progress progress) {
     if (work.error() >= kGainOfARound * locked_error) break;
     locked_error = work.error();
     co_await settle(work, {.use = FactorUse::own});
-    progress = co_await transport(
-        work, plan_of_round(round, work.handles(), work.constraints.targets));
+    progress =
+        co_await transport(work, plan_of_round(round, work.handles(), work.constraints.targets));
   }
   co_return progress;
 }

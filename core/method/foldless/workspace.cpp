@@ -34,8 +34,8 @@ int Workspace::flip_edges(const EnergySettings& energy, double least_gain) {
   int flipped = 0;
   {
     StageTimer timer(system.effort().times.flip);
-    flipped = foldless::flip_edges(
-        mesh, {energy, settings->eta, settings->condition_test, least_gain});
+    flipped =
+        foldless::flip_edges(mesh, {energy, settings->eta, settings->condition_test, least_gain});
   }
   if (flipped > 0) system.follow_flips(mesh, flipped);
   system.effort().flips += flipped;
@@ -76,7 +76,8 @@ bool Workspace::snap(const EnergySettings& energy) {
   if (objective.largest_step(energy.delta, mesh.deformed(), step) <= 1) return false;
   const Energy held_handles{energy, held(constraints)};
   const double before = objective.value(held_handles, mesh.deformed()).total();
-  if (!(objective.value(held_handles, u).total() <= workspace::kGrowthOfASnap * before)) return false;
+  if (!(objective.value(held_handles, u).total() <= workspace::kGrowthOfASnap * before))
+    return false;
   mesh.set_deformed(std::move(u));
   system.moved();
   return true;

@@ -57,8 +57,7 @@ class ScriptedMethod final : public Method {
   ScriptedMethod(Problem problem, std::shared_ptr<Script> script)
       : problem_(std::move(problem)), script_(std::move(script)) {}
 
-
-  std::optional<Iteration> step(std::stop_token token) override {
+  std::optional<Iteration> step(const std::stop_token& token) override {
     if (outcome()) return std::nullopt;
     ++script_->begun;
     for (int stage = 0; stage < script_->stages; ++stage) {

@@ -20,7 +20,7 @@ class StageRunner {
 
   bool has_ended() const { return steps_.have_ended(); }
   /// On to the next record; nothing where there is none, or where the token was set.
-  std::optional<Iteration> step(std::stop_token token = {}) {
+  std::optional<Iteration> step(const std::stop_token& token = {}) {
     context_.record.reset();
     while (!has_ended() && !context_.record && context_.request->make(token))
       context_.waiting.resume();
