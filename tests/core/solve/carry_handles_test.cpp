@@ -69,6 +69,27 @@ TEST(CarryHandles, AStepIsBoundedAlongItsLineAndTheHandlesGoThatPartOfTheirWay) 
     EXPECT_TRUE(checker.is_injective(before + k / 8.0 * (c.mesh.deformed() - before))) << k;
 }
 
+TEST(CarryHandles, NoRoundingKeepsAHandleFromItsTarget) {
+  int rounded = 0;
+  for (int k = 1; k <= 20; ++k) {
+    SCOPED_TRACE(k);
+    Carried c("arap", 2, {0, 0});
+    // Where p is nearer to zero than u, u + (p − u) need not be p.
+    const Points shifted = c.mesh.rest().colwise() - Vec2(2 - 1 / 30.0, 2 - 1 / 70.0);
+    c.mesh.set_positions(shifted, shifted);
+    for (int i = 0; i < 3; ++i)
+      c.energy.constraints.targets.col(i) =
+          shifted.col(c.energy.constraints.vertices[static_cast<std::size_t>(i)]);
+    const Vec2 start = shifted.col(8), target(k / 1700.0, k / 1900.0);
+    c.energy.constraints.targets.col(1) = target;
+    rounded += start + (target - start) != target;
+    NewtonSystem system(c.mesh, c.energy.constraints, c.effort);
+    ASSERT_EQ(carry_handles(system, c.mesh, c.energy, {}).step_length, 1);
+    EXPECT_EQ(handle_error_squared(c.energy.constraints, c.mesh.deformed()), 0);
+  }
+  EXPECT_GT(rounded, 0) << "the claim would be empty";
+}
+
 TEST(CarryHandles, TheOthersFollowAsTheDenseSystemSays) {
   Carried c("arap", 2, {0.07, -0.03});
   Points u = c.mesh.deformed();
