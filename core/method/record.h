@@ -14,4 +14,9 @@ namespace foldless {
 Iteration record_of(const VertexUpdate& update, const NewtonSystem& system, const MeshPair& mesh,
                     const Energy& energy);
 
+/// Brings what a record says of the mesh up to date, where a step put another one in its place
+/// after the update. The same precondition.
+void measure(Iteration& iteration, const NewtonSystem& system, const MeshPair& mesh,
+             const Energy& energy);
+
 }  // namespace foldless

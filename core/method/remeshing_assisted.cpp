@@ -108,7 +108,10 @@ Steps<Outcome> RemeshingAssisted::algorithm_1() {
     const RoundEnd round = co_await inner_loop(outer);
     if (is_satisfied()) co_return round.outcome;
     if (remeshing_.splits && !best.is_gaining(mesh_, error())) {
-      if (best.error() < error()) go_back_to(best.mesh());
+      if (best.error() < error()) {
+        go_back_to(best.mesh());
+        co_yield [this](Iteration& last) { measure(last, system_, mesh_, energy_); };
+      }
       co_return round.outcome;
     }
     if (outer + 1 >= parameters_.outer_iterations) co_return round.outcome;
@@ -226,6 +229,7 @@ int RemeshingAssisted::split(const RoundEnd& round) {
 void RemeshingAssisted::go_back_to(const MeshPair& mesh) {
   mesh_ = mesh;
   system_.rebuild(mesh_, energy_.constraints, mesh_.edge_count());
+  system_.assemble_gradient(energy_, mesh_.deformed());
 }
 
 Iteration RemeshingAssisted::record(const VertexUpdate& update, Phase phase) const {

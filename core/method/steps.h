@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <concepts>
 #include <coroutine>
 #include <exception>
 #include <optional>
@@ -17,6 +18,7 @@ namespace foldless {
 ///
 ///     const VertexUpdate update = co_await vertex_update(next);  // where it waits to be stepped
 ///     co_yield record;                                           // the record of that update
+///     co_yield [&](Iteration& record) { … };                     // corrects it
 ///     const Progress progress = co_await approach(work);         // steps within steps
 ///
 /// It waits at vertex_update() and nowhere else, so whatever follows an update, up to the next one,
@@ -100,6 +102,11 @@ struct StepsPromiseBase {
   ToCaller final_suspend() const noexcept { return {}; }
   std::suspend_never yield_value(const Iteration& record) noexcept {
     context->record = record;
+    return {};
+  }
+  template <std::invocable<Iteration&> Correct>
+  std::suspend_never yield_value(const Correct& correct) {
+    if (context->record) correct(*context->record);
     return {};
   }
   void unhandled_exception() noexcept { failure = std::current_exception(); }

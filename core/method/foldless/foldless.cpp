@@ -99,7 +99,11 @@ Steps<Outcome> Foldless::solve(Start start) {
   OtherWays ways(problem_.mesh, is_drag || !was_pursuit_locked);
   while (progress == Progress::locked && !ways.have_ended())
     progress = co_await ways.try_next(work_);
-  if (progress == Progress::locked) co_return Outcome::step;
+  if (progress == Progress::locked) {
+    // The last record may be of another way.
+    co_yield [this](Iteration& last) { work_.measure_again(last, work_.held_energy()); };
+    co_return Outcome::step;
+  }
 
   co_await tidy(work_);
   if (!is_drag) co_await uncrush(ways);
@@ -158,6 +162,7 @@ Steps<> Foldless::uncrush(OtherWays& ways) {
     if (largest_distortion(work_.mesh) < largest_distortion(best.mesh)) best = work_;
   }
   work_ = std::move(best);
+  co_yield [this](Iteration& last) { work_.measure_again(last, work_.held_energy()); };
 }
 
 bool Foldless::split_at_handles() {

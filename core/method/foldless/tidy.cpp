@@ -52,6 +52,7 @@ Steps<> collapse_in_rounds(Workspace& work) {
       const double rise = is_crowded(work, *before) ? kRiseOfACrowdedRound : kRiseOfARound;
       if (!(merit <= (1 + rise) * merit_before)) {
         work.set_mesh(*std::move(before));
+        co_yield [&](Iteration& last) { work.measure_again(last, work.held_energy()); };
         co_return;
       }
     }

@@ -162,8 +162,10 @@ Steps<Progress> press_home(Carrier& carrier, const std::vector<int>& group) {
   const double D = work.settings->diagonal;
   double& alpha = energy.settings.alpha;
   for (int tries = 0;;) {
-    if (work.error() <= kNearEnough * D * D && work.snap(energy.settings))
+    if (work.error() <= kNearEnough * D * D && work.snap(energy.settings)) {
+      co_yield [&](Iteration& last) { work.measure_again(last, energy); };
       co_return Progress::arrived;
+    }
     if (alpha < kLastAlpha) {
       alpha *= kAlphaFactor;
     } else {

@@ -84,8 +84,7 @@ bool Workspace::snap(const EnergySettings& energy) {
 }
 
 Iteration Workspace::record(const VertexUpdate& update, const Energy& energy, Phase phase) {
-  Energy real{energy.settings, constraints};
-  real.constraints.held = energy.constraints.held;
+  const Energy real = with_real_targets(energy);
   system.assemble_gradient(real, mesh.deformed());
   Effort& effort = system.effort();
   Iteration iteration = record_of(update, system, mesh, real);
@@ -93,6 +92,18 @@ Iteration Workspace::record(const VertexUpdate& update, const Energy& energy, Ph
   iteration.inner = ++effort.steps;
   iteration.phase = phase;
   return iteration;
+}
+
+void Workspace::measure_again(Iteration& last, const Energy& energy) {
+  const Energy real = with_real_targets(energy);
+  system.assemble_gradient(real, mesh.deformed());
+  measure(last, system, mesh, real);
+}
+
+Energy Workspace::with_real_targets(const Energy& energy) const {
+  Energy real{energy.settings, constraints};
+  real.constraints.held = energy.constraints.held;
+  return real;
 }
 
 }  // namespace foldless

@@ -63,6 +63,11 @@ struct Workspace {
 
   /// The record of an update that lowered `energy`, whatever targets it aimed at.
   Iteration record(const VertexUpdate& update, const Energy& energy, Phase phase);
+  /// Brings that record up to date where the mesh was replaced in the same step.
+  void measure_again(Iteration& last, const Energy& energy);
+
+ private:
+  Energy with_real_targets(const Energy& energy) const;
 };
 
 }  // namespace foldless
