@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/workspace.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/method/foldless/workspaces.h"
+#include "tests/support/valid_pair.h"
+
+namespace foldless {
+namespace {
+
+using test::OwnWorkspace;
+
+/// Targets of all handles moved from where they are by up to `reach`.
+void move_targets(Workspace& work, double reach, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(-reach, reach);
+  for (auto target : work.constraints.targets.colwise()) target += Vec2(unit(random), unit(random));
+}
+
+TEST(Workspace, SnapsExactlyWhereNoTriangleFoldsAndTheEnergyGrowsByLessThanHalf) {
+  int snapped = 0, folded = 0, grown = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    OwnWorkspace own = test::arrived_workspace(seed);
+    Workspace& work = own.work;
+    move_targets(work, std::pow(10.0, -1 - static_cast<int>(seed % 4)), random);
+    const Points before = work.mesh.deformed();
+    Points u = before;
+    u(Eigen::all, work.constraints.vertices) = work.constraints.targets;
+    const Objective& objective = work.system.objective();
+    const double delta = own.settings.energy.delta;
+    const bool folds = objective.largest_step(delta, before, u - before) <= 1;
+    const Energy energy = work.held_energy();
+    const double E = objective.value(energy, before).total();
+    const bool grows = !folds && objective.value(energy, u).total() > 1.5 * E;
+    EXPECT_EQ(work.snap(own.settings.energy), !folds && !grows);
+    EXPECT_EQ(work.mesh.deformed(), folds || grows ? before : u);
+    EXPECT_TRUE(test::is_valid(work.mesh));
+    folded += folds;
+    grown += grows;
+    snapped += !folds && !grows;
+  }
+  EXPECT_GE(std::min({snapped, folded, grown}), 4) << "the claim would be empty";
+}
+
+TEST(Workspace, SoftHandlesAreNotSnapped) {
+  OwnWorkspace own = test::arrived_workspace(3);
+  Workspace& work = own.work;
+  work.constraints.soft[0] = true;
+  work.constraints.targets.colwise() += Vec2(1e-4, 0);
+  const Vec2 soft = work.handles().col(0);
+  ASSERT_TRUE(work.snap(own.settings.energy));
+  EXPECT_EQ(work.handles().col(0), soft);
+  EXPECT_EQ(work.error(), 0);
+}
+
+TEST(Workspace, ARecordIsOfTheRealTargetsWhateverItAimedAt) {
+  OwnWorkspace own = test::arrived_workspace(3);
+  Workspace& work = own.work;
+  work.constraints.targets.colwise() += Vec2(0.1, 0);
+  Energy aimed{own.settings.energy, work.constraints};
+  aimed.constraints.targets.colwise() += Vec2(0, 3);
+  const Iteration record = work.record({}, aimed, Phase::approach);
+  EXPECT_EQ(record.handle_error_squared, work.error());
+  EXPECT_NEAR(record.penalty_energy, aimed.settings.alpha * work.error(), 1e-6);
+  EXPECT_EQ(record.inner, 1);
+  EXPECT_EQ(work.record({}, aimed, Phase::approach).inner, 2) << "they count through";
+}
+
+TEST(Workspace, ACopyAddsToTheSameEffort) {
+  OwnWorkspace own = test::arrived_workspace(3);
+  Workspace copy = own.work;
+  copy.refine();
+  EXPECT_GT(own.effort.splits, 0);
+  EXPECT_LT(own.work.mesh.vertex_count(), copy.mesh.vertex_count());
+}
+
+}  // namespace
+}  // namespace foldless
