@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who comes after whom in a run of `foldless`, and from which mesh.
+#include <gtest/gtest.h>
+
+#include "core/method/foldless/foldless.h"
+#include "tests/core/method/foldless/coarse_scenes.h"
+#include "tests/core/method/foldless/foldless_scenes.h"
+
+namespace foldless {
+namespace {
+
+using test::trading_places;
+
+TEST(Driver, AfterALockedPursuitTheApproachBeginsFromTheMeshOfTheProblem) {
+  int locked = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Problem problem = trading_places(seed);
+    Foldless method(problem);
+    bool has_moved = false;
+    std::optional<Iteration> record;
+    for (int step = 0; step < 100 && (record = method.step({})); ++step) {
+      if (record->phase != Phase::pursue) break;
+      const bool is_at_start = method.mesh().deformed() == problem.mesh.deformed();
+      if (has_moved && is_at_start) ++locked;
+      has_moved |= !is_at_start;
+    }
+  }
+  EXPECT_GE(locked, 8);
+}
+
+TEST(Driver, AfterALockedPursuitOfADragItGoesOnFromTheMeshAsItIs) {
+  int approaches = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Problem problem = trading_places(seed);
+    Problem at_rest = problem;
+    for (Handle& handle : at_rest.handles) handle.target = at_rest.mesh.rest().col(handle.vertex);
+    Foldless method(at_rest);
+    test::run_validly(method);
+    method.set_targets(constraints_of(problem.handles).targets);
+    for (int step = 0; step < 100; ++step) {
+      const auto record = method.step({});
+      ASSERT_TRUE(record);
+      EXPECT_NE(method.mesh().deformed(), problem.mesh.deformed());
+      if (record->phase == Phase::approach) {
+        ++approaches;
+        break;
+      }
+    }
+  }
+  EXPECT_GE(approaches, 8) << "the claim would be empty";
+}
+
+void expect_no_step_back(Foldless& method, int most_steps) {
+  Iteration before;
+  for (int step = 0; step < most_steps; ++step) {
+    const auto record = method.step({});
+    if (!record) break;
+    EXPECT_GE(record->factorizations, before.factorizations);
+    EXPECT_GE(record->updates, before.updates);
+    EXPECT_GE(record->flips, before.flips);
+    EXPECT_GE(record->splits, before.splits);
+    EXPECT_GE(record->outer, before.outer);
+    EXPECT_GE(record->seconds, before.seconds);
+    EXPECT_EQ(record->inner, before.inner + 1);
+    before = *record;
+  }
+  EXPECT_GT(before.factorizations, 0);
+}
+
+TEST(Driver, TotalsNeverGoBackWhateverIsTried) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Foldless method(trading_places(seed));
+    expect_no_step_back(method, 600);
+  }
+  Foldless dense(test::bent_bar(), test::kSmall);
+  expect_no_step_back(dense, 600);
+}
+
+TEST(Driver, ASoftHandleThatCanBeMetEndsAtItsTarget) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Problem problem = test::grid_problem({{0, {0, 0}}, {8, {0, 0}}, {80, {0.05, 0.1}}});
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(-0.05, 0.05);
+    Handle soft = test::held(problem.mesh.rest(), 40);
+    soft.id = 9;
+    soft.kind = HandleKind::soft;
+    soft.target += Vec2(unit(random), unit(random));
+    problem.handles.push_back(soft);
+    Foldless method(problem);
+    test::run_validly(method);
+    test::expect_on_target(method, problem);
+    EXPECT_LT((method.mesh().deformed().col(40) - soft.target).norm(), 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace foldless
