@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "core/method/foldless/transport_plans.h"
@@ -75,6 +76,40 @@ TEST(OtherWays, OfALargeMeshAreFewer) {
     EXPECT_EQ(is_refined, mesh.face_count() <= 2000) << mesh.face_count();
     EXPECT_EQ(transports > 6, mesh.face_count() <= 5000) << mesh.face_count();
   }
+}
+
+TEST(OtherWays, KeepTheNearestMeshOnShowAndGoOnFromTheNearestLockOfATransport) {
+  int farther = 0, went_on = 0, not_the_last = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    test::OwnWorkspace own = test::held_frame(seed);
+    Workspace& work = own.work;
+    const MeshPair rest = work.mesh;
+    const std::vector<Way> all = ways_of(work);
+    OtherWays ways(rest, false);
+    double nearest = std::numeric_limits<double>::infinity(), last = nearest;
+    for (std::size_t i = 0; all[i].kind != Kind::onwards || !all[i].is_refined; ++i) {
+      const double shown = work.error();
+      test::StageRunner<Progress> runner(ways.try_next(work));
+      runner.run();
+      EXPECT_LE(work.error(), shown);
+      if (runner.result() == Progress::arrived) break;
+      const std::vector<Iteration>& records = runner.records();
+      if (all[i].kind == Kind::onwards) {
+        EXPECT_EQ(records.front().phase, Phase::settle);
+        EXPECT_NEAR(records.front().handle_error_squared, nearest, 1e-12);
+        ++went_on;
+        not_the_last += nearest < last;
+        continue;
+      }
+      for (const Iteration& record : records)
+        if (record.phase == Phase::transport) last = record.handle_error_squared;
+      farther += last > shown;
+      nearest = std::min(nearest, last);
+    }
+  }
+  EXPECT_GE(std::min({farther, went_on, not_the_last}), 2)
+      << farther << ' ' << went_on << ' ' << not_the_last;
 }
 
 }  // namespace

@@ -86,5 +86,34 @@ TEST(Transport, GoesOnFromWhereOneLockedAndSettlesFirst) {
   EXPECT_GT(2 * nearer, transports.size());
 }
 
+TEST(Transport, HandlesThatTurnKeepStepWhateverTheirDistanceFromTheCentre) {
+  const Shape shape = grid({.columns = 12, .rows = 12, .width = 0.7, .height = 0.7});
+  const Vec2 centre(0.35, 0.35);
+  std::vector<Handle> handles;
+  for (const int v : {81, 83, 85, 87}) {  // along a line, at distances of one and three cells
+    const Vec2 from = shape.rest.col(v) - centre;
+    handles.push_back({.id = v, .vertex = v, .target = centre + Vec2(-from.y(), from.x())});
+  }
+  test::OwnWorkspace own = test::workspace_of(MeshPair(shape.triangles, shape.rest), handles);
+  Workspace& work = own.work;
+  const Points starts = work.handles();
+  StageRunner<Progress> runner(transport(work, {PathKind::turning, {{0, 1, 2, 3}}}));
+  double largest_turn = 0;
+  while (!runner.has_ended()) {
+    runner.step();
+    double least = 10, most = -10;
+    for (int i = 0; i < 4; ++i) {
+      const Vec2 a = starts.col(i) - centre, b = work.handles().col(i) - centre;
+      const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+      least = std::min(least, turn);
+      most = std::max(most, turn);
+    }
+    EXPECT_LT(most - least, 0.3);
+    EXPECT_LT(most - largest_turn, 0.5) << "strides are short";
+    largest_turn = std::max(largest_turn, most);
+  }
+  EXPECT_EQ(runner.result(), Progress::arrived);
+}
+
 }  // namespace
 }  // namespace foldless
