@@ -46,6 +46,17 @@ TEST(Settle, HoldsTheHandlesWhereTheyAre) {
   EXPECT_EQ(own.work.error(), 0);
 }
 
+TEST(Settle, LeavesFewFlipsThatWouldGainSomething) {
+  int left = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = arrived_workspace(seed);
+    test::run_to_the_end(settle(own.work, {.exponent = 0}));
+    left += own.work.flip_edges(own.settings.energy);
+  }
+  EXPECT_LT(left, 40) << "fewer than one a mesh";
+}
+
 TEST(Settle, ALargerExponentLowersTheDistortions) {
   constexpr int kSeeds = 200;
   int lower_mean = 0, lower_max = 0;
