@@ -128,8 +128,7 @@ void add_handles(const Scene& scene, const MeshFiles& files, Line& line) {
   for (const Handle& handle : scene.handles)
     if (handle.kind != HandleKind::soft)
       largest = std::max(largest, (deformed.col(handle.vertex) - handle.target).norm());
-  const double diagonal = 
-      active_diagonal(files.rest.triangles, files.rest.points, scene.handles);
+  const double diagonal = active_diagonal(files.rest.triangles, files.rest.points, scene.handles);
   const bool is_satisfied = error <= kSatisfied * diagonal * diagonal;
   const bool is_rest_kept = files.rest.points.leftCols(scene.rest.cols()) == scene.rest;
   line.add("original_vertices", static_cast<double>(scene.rest.cols()));

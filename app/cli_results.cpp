@@ -6,8 +6,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/files/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "core/files/iterations_csv.h"
 #include "core/files/mesh_io.h"
 #include "core/files/text_lines.h"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "core/files/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "core/mesh/injective.h"
 #include "core/scene/handle_kind.h"
 #include "core/scene/json_value.h"

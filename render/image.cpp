@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-#include "core/files/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "render/png_chunks.h"
 
 namespace foldless {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "core/files/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "render/image.h"
 #include "render/png_chunks.h"
 

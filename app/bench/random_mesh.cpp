@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/data_path.h"
-#include "core/mesh/generate.h"
 #include "core/files/mesh_io.h"
+#include "core/mesh/generate.h"
 #include "core/mesh/mesh_pair.h"
 #include "core/method/satisfied.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/energy/densities.h"
 #include "core/energy/constraints.h"
+#include "core/energy/densities.h"
 #include "core/method/satisfied.h"
 #include "core/run/active_part.h"
 #include "core/run/original_edges.h"
@@ -108,7 +108,7 @@ Vec2 position_of(const Document& document, const Handle& handle) {
 
 double target_tolerance(const Document& document) {
   if (document.is_empty()) return 0;
-  return std::sqrt(kSatisfied) * 
+  return std::sqrt(kSatisfied) *
          active_diagonal(*document.pose->triangles, *document.pose->rest, document.handles);
 }
 

@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/files/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 
 namespace foldless {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "app/editor/race_table.h"
 #include "app/gui/plot_export.h"
-#include "core/files/atomic_file.h"
 #include "core/data_path.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 
 namespace foldless {
 namespace {

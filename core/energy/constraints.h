@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "core/mesh/triangle.h"
 #include "core/handle.h"
+#include "core/mesh/triangle.h"
 
 namespace foldless {
 
-/// The positional constraints Cu = p, whose energy is E_c. One column or entry a handle. Hard handles
-/// are those that are not soft.
+/// The positional constraints Cu = p, whose energy is E_c. One column or entry a handle. Hard
+/// handles are those that are not soft.
 struct Constraints {
   std::vector<int> vertices;  ///< the rows of C
   Points targets;             ///< p, 2 × #handles [length]

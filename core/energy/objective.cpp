@@ -83,8 +83,7 @@ EnergyTerms Objective::value(const Energy& energy, const Points& u) const {
   EnergyTerms terms;
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const ElementEnergy e = element_energy(
-        energy.settings,
-        reference_element(energy.settings, rest_[static_cast<std::size_t>(t)]),
+        energy.settings, reference_element(energy.settings, rest_[static_cast<std::size_t>(t)]),
         corners_of(u, triangles_.col(t)));
     if (e.barrier == kInfinity) return {0, 0, kInfinity};
     add(e, terms);
@@ -97,8 +96,7 @@ EnergyGradient Objective::gradient(const Energy& energy, const Points& u) const 
   EnergyGradient sum{{}, Eigen::VectorXd::Zero(u.size())};
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const ElementGradient e = element_gradient(
-        energy.settings,
-        reference_element(energy.settings, rest_[static_cast<std::size_t>(t)]),
+        energy.settings, reference_element(energy.settings, rest_[static_cast<std::size_t>(t)]),
         corners_of(u, triangles_.col(t)));
     add(e.energy, sum.energy);
     for (int corner = 0; corner < 3; ++corner)
@@ -114,8 +112,7 @@ EnergyGradient Objective::assemble(const Energy& energy, const Points& u, Sparse
   std::fill(hessian.value.begin(), hessian.value.end(), 0.0);
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const ElementHessian e = element_hessian(
-        energy.settings,
-        reference_element(energy.settings, rest_[static_cast<std::size_t>(t)]),
+        energy.settings, reference_element(energy.settings, rest_[static_cast<std::size_t>(t)]),
         corners_of(u, triangles_.col(t)), clamping);
     add(e.energy, sum.energy);
     std::array<int, 3> nodes{};
@@ -139,9 +136,9 @@ Eigen::VectorXd Objective::pull_of_handles(const EnergySettings& settings, const
     const auto& corners = triangles_.col(t);
     const Corners moves = corners_of(way, corners);
     if (moves.isZero(0)) continue;
-    const ElementHessian e = element_hessian(
-        settings, reference_element(settings, rest_[static_cast<std::size_t>(t)]),
-        corners_of(u, corners), 1);
+    const ElementHessian e =
+        element_hessian(settings, reference_element(settings, rest_[static_cast<std::size_t>(t)]),
+                        corners_of(u, corners), 1);
     const Eigen::Matrix<double, 6, 1> change = e.hessian * moves.reshaped();
     for (int corner = 0; corner < 3; ++corner)
       if (!has_hard_handle(corners[corner]))
@@ -154,8 +151,7 @@ SparseSymmetric Objective::hessian_pattern() const {
   std::vector<std::pair<int, int>> edges;
   edges.reserve(3 * rest_.size());
   for (const auto& t : triangles_.colwise())
-    for (int corner = 0; corner < 3; ++corner)
-      edges.emplace_back(t[corner], t[(corner + 1) % 3]);
+    for (int corner = 0; corner < 3; ++corner) edges.emplace_back(t[corner], t[(corner + 1) % 3]);
   return sparse_symmetric(static_cast<int>(has_hard_handle_.size()), edges);
 }
 

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <utility>
 
-#include "core/files/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "core/files/mesh_readers.h"
 #include "core/files/mesh_text.h"
 #include "core/files/validate.h"

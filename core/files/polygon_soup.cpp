@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/error.h"
-#include "core/mesh/ear_clipping.h"
 #include "core/files/text_lines.h"
+#include "core/mesh/ear_clipping.h"
 
 namespace foldless {
 namespace {

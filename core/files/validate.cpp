@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/files/twins.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/orientation.h"
-#include "core/files/twins.h"
 
 namespace foldless {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "core/linear/sparse_symmetric.h"
 #include "core/linear/cholesky.h"
+#include "core/linear/sparse_symmetric.h"
 
 namespace foldless {
 

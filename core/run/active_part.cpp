@@ -52,7 +52,8 @@ Places places(const std::vector<bool>& is_active, int part_count) {
 ActivePart::ActivePart(const MeshPair& whole, const std::vector<Handle>& handles)
     : whole_(whole),
       is_active_vertex_(active_vertices(whole.triangles(), whole.vertex_count(), handles)) {
-  for (const auto& t : whole_.triangles().colwise()) is_active_face_.push_back(is_active_vertex_[at(t[0])]);
+  for (const auto& t : whole_.triangles().colwise())
+    is_active_face_.push_back(is_active_vertex_[at(t[0])]);
   faces_of_part_ = static_cast<int>(std::ranges::count(is_active_face_, true));
 }
 
@@ -68,7 +69,8 @@ Problem ActivePart::of(const Problem& problem) const {
   Eigen::Index next = 0;
   for (Eigen::Index f = 0; f < whole_.face_count(); ++f)
     if (is_active_face_[static_cast<std::size_t>(f)])
-      triangles.col(next++) = whole_.triangles().col(f).unaryExpr([&](int v) { return part[at(v)]; });
+      triangles.col(next++) =
+          whole_.triangles().col(f).unaryExpr([&](int v) { return part[at(v)]; });
 
   Problem cut{{}, problem.energy, problem.handles, problem.parameters, problem.original};
   cut.mesh = MeshPair(triangles, problem.mesh.rest()(Eigen::all, whole),

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/energy/density.h"
+#include "core/handle.h"
 #include "core/mesh/triangle.h"
 #include "core/scene/parameters.h"
-#include "core/handle.h"
 
 namespace foldless {
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "core/files/atomic_file.h"
 #include "core/energy/densities.h"
+#include "core/files/atomic_file.h"
 #include "core/files/mesh_io.h"
 #include "core/files/polygon_soup.h"
 #include "core/files/text_lines.h"

@@ -50,8 +50,7 @@ class HessianFactor {
   /// Solves hessian x = b by conjugate gradients from this factor; nothing where it is of another
   /// kind of Hessian or known to be too far from it, or turns out to be.
   std::optional<ConjugateGradientSolution> solve_later(const Hessian& hessian,
-                                                       const Eigen::VectorXd& b,
-                                                       double least_gain);
+                                                       const Eigen::VectorXd& b, double least_gain);
   bool is_near(const HessianKind& kind) const {
     return is_near_ && cholesky_.has_factor() && kind == kind_;
   }

@@ -8,8 +8,8 @@
 #include <memory>
 #include <random>
 
-#include "core/files/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 

@@ -16,9 +16,9 @@ struct Way {
     onwards     ///< a transport from where one locked nearest to the targets; without one: nothing
   };
   Kind kind = Kind::transport;
-  TransportPlan plan = {};       ///< of a transport
-  bool is_refined = false;       ///< on a mesh whose edges were all split
-  bool goes_in_rounds = false;   ///< a transport that goes on where it locks
+  TransportPlan plan = {};      ///< of a transport
+  bool is_refined = false;      ///< on a mesh whose edges were all split
+  bool goes_in_rounds = false;  ///< a transport that goes on where it locks
 };
 
 /// What is tried, in this order: an approach where none has begun at rest; transports, as
@@ -31,7 +31,8 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
 /// The ways one by one, on meshes of their own.
 class OtherWays {
  public:
-  /// They begin at the rest state of `mesh`, which outlives them; `with_approach`: see other_ways().
+  /// They begin at the rest state of `mesh`, which outlives them; `with_approach`: see
+  /// other_ways().
   OtherWays(const MeshPair& mesh, bool with_approach)
       : mesh_(mesh), with_approach_(with_approach) {}
 

@@ -18,7 +18,8 @@ struct PrescribedRegion {
 };
 
 /// All of them. They depend on the connectivity and on which vertices are handles, not on targets.
-std::vector<PrescribedRegion> prescribed_regions(const MeshPair& mesh, const Constraints& constraints);
+std::vector<PrescribedRegion> prescribed_regions(const MeshPair& mesh,
+                                                 const Constraints& constraints);
 
 /// The vertices of their boundaries, sorted.
 std::vector<int> boundary_vertices(const std::vector<PrescribedRegion>& regions,

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/mesh/injective.h"
 #include "core/files/mesh_io.h"
 #include "core/files/validate.h"
+#include "core/mesh/injective.h"
 #include "tests/app/cli/command.h"
 #include "tests/core/run/scripted_method.h"
 

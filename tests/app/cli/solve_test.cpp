@@ -7,8 +7,8 @@
 #include <sstream>
 #include <thread>
 
-#include "core/mesh/injective.h"
 #include "core/files/mesh_io.h"
+#include "core/mesh/injective.h"
 #include "render/image.h"
 #include "tests/app/cli/command.h"
 #include "tests/core/run/scripted_method.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/files/mesh_io.h"
 #include "core/mesh/generate.h"
 #include "core/mesh/injective.h"
-#include "core/files/mesh_io.h"
 #include "tests/app/gui/headless_editor.h"
 
 namespace foldless::test {

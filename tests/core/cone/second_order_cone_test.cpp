@@ -49,8 +49,7 @@ TEST_P(SecondOrderCone, TheScalingTakesBothPointsToTheSameOne) {
   EXPECT_LT((scaling.W * z - scaling.lambda).norm(), 1e-11);
   EXPECT_LT((scaling.W_inv * s - scaling.lambda).norm(), 1e-10);
   EXPECT_LT((scaling.W * scaling.W_inv - Eigen::Matrix3d::Identity()).norm(), 1e-10);
-  EXPECT_LT((scaling.W_inv * scaling.W_inv - scaling.W_inv2).norm(),
-            1e-10 * scaling.W_inv2.norm());
+  EXPECT_LT((scaling.W_inv * scaling.W_inv - scaling.W_inv2).norm(), 1e-10 * scaling.W_inv2.norm());
   EXPECT_LT((scaling.W - scaling.W.transpose()).norm(), 1e-12);
 }
 

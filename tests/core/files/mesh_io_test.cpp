@@ -8,10 +8,10 @@
 #include <random>
 
 #include "core/files/atomic_file.h"
-#include "core/mesh/injective.h"
 #include "core/files/mesh_readers.h"
 #include "core/files/mesh_text.h"
 #include "core/files/validate.h"
+#include "core/mesh/injective.h"
 #include "tests/support/errors.h"
 #include "tests/support/meshes.h"
 #include "tests/support/mutation.h"

@@ -7,10 +7,10 @@
 #include <limits>
 #include <numbers>
 
-#include "core/mesh/injective.h"
 #include "core/files/mesh_readers.h"
 #include "core/files/mesh_text.h"
 #include "core/files/twins.h"
+#include "core/mesh/injective.h"
 #include "tests/support/errors.h"
 #include "tests/support/meshes.h"
 

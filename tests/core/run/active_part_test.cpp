@@ -12,8 +12,8 @@ namespace {
 
 using test::finish;
 
-/// Three separate squares of two triangles in a row, their vertices and triangles interleaved, and a
-/// vertex of no triangle in the middle of the list.
+/// Three separate squares of two triangles in a row, their vertices and triangles interleaved, and
+/// a vertex of no triangle in the middle of the list.
 MeshPair three_squares() {
   constexpr int kUnused = 6;
   const auto vertex = [](int square, int corner) {
@@ -87,9 +87,8 @@ TEST(ActivePart, WhereThePartLosesVerticesLaterOnesMoveUp) {
   mesh.split_edge(mesh.find_edge(0, 7).value(), 0.5);  // vertex 14, of the first square
   const Points rest = mesh.rest();
   const ActivePart active(mesh, problem.handles);
-  const MeshPair original = ActivePart(three_squares(), problem.handles)
-                                .of(middle_square_problem())
-                                .mesh;
+  const MeshPair original =
+      ActivePart(three_squares(), problem.handles).of(middle_square_problem()).mesh;
   const Points whole = active.whole_rest(original.rest());
   ASSERT_EQ(whole.cols(), 14);
   EXPECT_EQ(whole.leftCols(13), rest.leftCols(13));

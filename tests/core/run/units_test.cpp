@@ -24,13 +24,13 @@ struct NamedProblem {
 
 /// Scenes whose paths do not hang on the rounding of their coordinates.
 std::vector<NamedProblem> scenes() {
-  return {{"pulled dirichlet", test::pulled_grid("dirichlet", Vec2(0.21, 0.13))},
-          {"pulled lscm", test::pulled_grid("lscm", Vec2(0.11, -0.17))},
-          {"squeezed arap", test::pulled_grid("arap", Vec2(-0.31, -0.22))},
-          {"squeezed green-strain", test::pulled_grid("green-strain", Vec2(-0.23, -0.12))},
-          {"sheared symmetric-dirichlet",
-           test::pulled_grid("symmetric-dirichlet", Vec2(-0.17, 0.35))},
-          {"turned disk", test::turned_disk({.ring = 4, .degrees = 70})}};
+  return {
+      {"pulled dirichlet", test::pulled_grid("dirichlet", Vec2(0.21, 0.13))},
+      {"pulled lscm", test::pulled_grid("lscm", Vec2(0.11, -0.17))},
+      {"squeezed arap", test::pulled_grid("arap", Vec2(-0.31, -0.22))},
+      {"squeezed green-strain", test::pulled_grid("green-strain", Vec2(-0.23, -0.12))},
+      {"sheared symmetric-dirichlet", test::pulled_grid("symmetric-dirichlet", Vec2(-0.17, 0.35))},
+      {"turned disk", test::turned_disk({.ring = 4, .degrees = 70})}};
 }
 
 /// What must not change.

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "core/files/atomic_file.h"
 #include "core/energy/densities.h"
+#include "core/files/atomic_file.h"
 #include "core/mesh/injective.h"
 #include "tests/core/scene/scene_fixture.h"
 #include "tests/support/mutation.h"
