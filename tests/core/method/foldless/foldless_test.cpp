@@ -49,12 +49,13 @@ TEST(Foldless, WhileOtherWaysAreTriedTheNearestMeshStaysOnShow) {
       const Points shown = method.mesh().deformed();
       const auto iteration = method.step({});
       ASSERT_TRUE(iteration);
-      if (is_trying && method.mesh().deformed() != shown) {
-        EXPECT_LT(handle_error_squared(constraints, method.mesh().deformed()),
-                  handle_error_squared(constraints, shown))
+      const Points& now = method.mesh().deformed();
+      const bool is_same = now.cols() == shown.cols() && now == shown;  // splits add vertices
+      if (is_trying && !is_same) {
+        EXPECT_LT(handle_error_squared(constraints, now), handle_error_squared(constraints, shown))
             << "step " << step;
       }
-      unchanged += is_trying && method.mesh().deformed() == shown;
+      unchanged += is_trying && is_same;
       is_trying |= iteration->phase == Phase::transport;
       transports += iteration->phase == Phase::transport;
       if (handle_error_squared(constraints, method.mesh().deformed()) == 0) break;
