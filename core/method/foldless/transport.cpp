@@ -49,7 +49,6 @@ class Strides {
  public:
   Strides(const Workspace& work, const TransportPlan& plan)
       : work_(work),
-        plan_(plan),
         stride_(plan.stride * work.settings->diagonal),
         paths_(plan.path, work.handles(), work.constraints.targets),
         lambda_(static_cast<std::size_t>(work.constraints.count()), 0),
@@ -108,7 +107,6 @@ class Strides {
   }
 
   const Workspace& work_;
-  const TransportPlan& plan_;
   double stride_;  ///< [length]
   HandlePaths paths_;
   std::vector<double> lambda_;  ///< by handle: where on its path the stride ends
@@ -163,7 +161,7 @@ Steps<Progress> press_home(Carrier& carrier, const std::vector<int>& group) {
   double& alpha = energy.settings.alpha;
   for (int tries = 0;;) {
     if (work.error() <= kNearEnough * D * D && work.snap(energy.settings)) {
-      co_yield [&](Iteration& last) { work.measure_again(last, energy); };
+      co_yield [&carrier](Iteration& last) { carrier.work.measure_again(last, carrier.energy); };
       co_return Progress::arrived;
     }
     if (alpha < kLastAlpha) {

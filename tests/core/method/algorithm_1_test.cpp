@@ -15,7 +15,6 @@ namespace foldless {
 namespace {
 
 constexpr double kSmallStep = 1e-8;      // ε_f
-constexpr double kSmallGradient = 1e-6;  // ε_g
 
 /// A round of a run: the updates of an inner loop, and what came before.
 struct Round {
