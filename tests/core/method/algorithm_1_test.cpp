@@ -14,7 +14,7 @@
 namespace foldless {
 namespace {
 
-constexpr double kSmallStep = 1e-8;      // ε_f
+constexpr double kSmallStep = 1e-8;  // ε_f
 
 /// A round of a run: the updates of an inner loop, and what came before.
 struct Round {
