@@ -50,10 +50,11 @@ Places places(const std::vector<bool>& is_active, int part_count) {
 }  // namespace
 
 ActivePart::ActivePart(const MeshPair& whole, const std::vector<Handle>& handles)
-    : whole_(whole),
+    : triangles_(whole.triangles()),
+      rest_(whole.rest()),
+      deformed_(whole.deformed()),
       is_active_vertex_(active_vertices(whole.triangles(), whole.vertex_count(), handles)) {
-  for (const auto& t : whole_.triangles().colwise())
-    is_active_face_.push_back(is_active_vertex_[at(t[0])]);
+  for (const auto& t : triangles_.colwise()) is_active_face_.push_back(is_active_vertex_[at(t[0])]);
   faces_of_part_ = static_cast<int>(std::ranges::count(is_active_face_, true));
 }
 
@@ -67,10 +68,9 @@ Problem ActivePart::of(const Problem& problem) const {
   }
   Triangles triangles(3, faces_of_part_);
   Eigen::Index next = 0;
-  for (Eigen::Index f = 0; f < whole_.face_count(); ++f)
+  for (Eigen::Index f = 0; f < triangles_.cols(); ++f)
     if (is_active_face_[static_cast<std::size_t>(f)])
-      triangles.col(next++) =
-          whole_.triangles().col(f).unaryExpr([&](int v) { return part[at(v)]; });
+      triangles.col(next++) = triangles_.col(f).unaryExpr([&](int v) { return part[at(v)]; });
 
   Problem cut{{}, problem.energy, problem.handles, problem.parameters, problem.original};
   cut.mesh = MeshPair(triangles, problem.mesh.rest()(Eigen::all, whole),
@@ -94,9 +94,8 @@ Triangles ActivePart::whole_triangles(const Triangles& part, int part_vertices) 
     whole.col(faces.of_part[static_cast<std::size_t>(f)]) =
         part.col(f).unaryExpr([&](int v) { return vertices.of_part[at(v)]; });
   for (std::size_t i = 0; i < faces.of_idle.size(); ++i)
-    whole.col(faces.of_idle[i]) = whole_.triangles().col(faces.idle_then[i]).unaryExpr([&](int v) {
-      return idle_vertex[at(v)];
-    });
+    whole.col(faces.of_idle[i]) =
+        triangles_.col(faces.idle_then[i]).unaryExpr([&](int v) { return idle_vertex[at(v)]; });
   return whole;
 }
 

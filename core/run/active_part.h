@@ -25,13 +25,14 @@ class ActivePart {
   Triangles whole_triangles(const Triangles& part, int part_vertices) const;
   /// Rest and deformed positions of the whole with those of the part, 2 × #V of the part, as they
   /// are now.
-  Points whole_rest(const Points& part) const { return whole_points(part, whole_.rest()); }
-  Points whole_deformed(const Points& part) const { return whole_points(part, whole_.deformed()); }
+  Points whole_rest(const Points& part) const { return whole_points(part, rest_); }
+  Points whole_deformed(const Points& part) const { return whole_points(part, deformed_); }
 
  private:
   Points whole_points(const Points& part, const Points& then) const;
 
-  MeshPair whole_;  ///< that the part was made of
+  Triangles triangles_;  ///< of the whole that the part was made of
+  Points rest_, deformed_;
   std::vector<bool> is_active_vertex_;
   std::vector<bool> is_active_face_;
   int faces_of_part_ = 0;
