@@ -58,8 +58,12 @@ ActivePart::ActivePart(const MeshPair& whole, const std::vector<Handle>& handles
   faces_of_part_ = static_cast<int>(std::ranges::count(is_active_face_, true));
 }
 
+bool ActivePart::is_whole() const {
+  return std::ranges::all_of(is_active_vertex_, std::identity());
+}
+
 Problem ActivePart::of(const Problem& problem) const {
-  if (std::ranges::all_of(is_active_vertex_, std::identity())) return problem;
+  if (is_whole()) return problem;
   std::vector<int> whole, part(is_active_vertex_.size(), -1);
   for (std::size_t v = 0; v < is_active_vertex_.size(); ++v) {
     if (!is_active_vertex_[v]) continue;
@@ -83,6 +87,7 @@ Problem ActivePart::of(const Problem& problem) const {
 }
 
 Triangles ActivePart::whole_triangles(const Triangles& part, int part_vertices) const {
+  if (is_whole()) return part;
   const Places vertices = places(is_active_vertex_, part_vertices);
   const Places faces = places(is_active_face_, static_cast<int>(part.cols()));
   std::vector<int> idle_vertex(is_active_vertex_.size(), -1);
@@ -100,6 +105,7 @@ Triangles ActivePart::whole_triangles(const Triangles& part, int part_vertices) 
 }
 
 Points ActivePart::whole_points(const Points& part, const Points& then) const {
+  if (is_whole()) return part;  // after every step
   const Places vertices = places(is_active_vertex_, static_cast<int>(part.cols()));
   Points whole(2, vertices.count());
   whole(Eigen::all, vertices.of_part) = part;

@@ -17,6 +17,8 @@ class ActivePart {
   ActivePart(const MeshPair& whole, const std::vector<Handle>& handles);
 
   bool is_empty() const { return faces_of_part_ == 0; }
+  /// Nothing is idle: the part is the whole, whatever a method adds to it.
+  bool is_whole() const;
   /// The problem on the part alone. Precondition: `problem` has the mesh and the handles that the
   /// part was made of.
   Problem of(const Problem& problem) const;
