@@ -14,8 +14,8 @@ enum class StartFrames {
 };
 
 /// The knobs of the solver, the paper's defaults (section 5). Constants that are not
-/// dimensionless hold for a rest mesh whose bounding-box diagonal is about 1: the solver
-/// normalises every scene before it solves it.
+/// dimensionless hold for a rest mesh whose bounding-box diagonal D is 1: a method brings D of the
+/// part that it solves into them.
 struct Parameters {
   std::string method = "foldless";   ///< a name of methods()
   double alpha = 5e7;                ///< weight of the penalty ‖Cu − p‖², eq. 5
