@@ -102,12 +102,13 @@ class RealWindow : public testing::Test {
     if (!folder_.empty()) std::filesystem::remove_all(folder_);
   }
 
-  /// Xvfb chooses a free display and tells which.
+  /// Xvfb chooses a free display and tells which. It must not reset: without -noreset it begins
+  /// anew whenever its last client leaves, and a client that comes just then is turned away.
   void start_display() {
     int ends[2];
     ASSERT_EQ(pipe(ends), 0);
     server_ = std::make_unique<Child>(std::vector<std::string>{
-        "Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x800x24"});
+        "Xvfb", "-displayfd", std::to_string(ends[1]), "-noreset", "-screen", "0", "1280x800x24"});
     close(ends[1]);
     std::string number;
     for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';) number += c;
