@@ -30,6 +30,10 @@ struct Inbox {
   bool step = false;  ///< one iteration in spite of the mode
   std::optional<std::optional<double>> pace;
 
+  void set_mode(WorkerMode wanted) {
+    mode = wanted;
+    step = false;
+  }
   bool is_empty() const { return !load && !settings && !targets && !mode && !step && !pace; }
 };
 

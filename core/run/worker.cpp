@@ -3,8 +3,6 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
-#include <exception>
 #include <utility>
 
 namespace foldless {
@@ -22,78 +20,69 @@ void give_way_to_the_window() {
 
 Worker::Worker(std::function<void()> wake, WorkerOptions options)
     : wake_(std::move(wake)),
-      options_(std::move(options)),
-      timeline_(options_.timeline_bytes),
+      timeline_(options.timeline_bytes),
+      run_(std::move(options.start)),
       thread_([this](const std::stop_token& stopping) { work(stopping); }) {}
 
 Worker::~Worker() {
   thread_.request_stop();
   std::lock_guard lock(mutex_);
-  iteration_stop_.request_stop();
+  mailbox_.cancel_iteration();
 }
 
 template <typename Change>
-void Worker::post(Cancels cancels, const Change& change) {
+void Worker::post(Mailbox::Cancels cancels, const Change& change) {
   {
     std::lock_guard lock(mutex_);
-    change();
+    mailbox_.post(cancels, change);
     status_.is_current = false;
-    if (cancels == Cancels::always || (cancels == Cancels::once && !last_was_cancelled_))
-      iteration_stop_.request_stop();
   }
   changed_.notify_one();
 }
 
 std::uint64_t Worker::load(Problem problem) {
   std::uint64_t generation = 0;
-  post(Cancels::always, [&] {
-    generation = ++last_generation_;
-    inbox_.load = Inbox::Load{std::move(problem), generation};
-    inbox_.settings.reset();
-    inbox_.targets.reset();
+  post(Mailbox::Cancels::always, [&](Inbox& inbox) {
+    generation = mailbox_.next_generation();
+    inbox.load = Inbox::Load{std::move(problem), generation};
+    inbox.settings.reset();
+    inbox.targets.reset();
     timeline_.clear();
   });
   return generation;
 }
 
 void Worker::set_targets(Points targets) {
-  post(Cancels::once, [&] { inbox_.targets = std::move(targets); });
+  post(Mailbox::Cancels::once, [&](Inbox& inbox) { inbox.targets = std::move(targets); });
 }
 
 void Worker::set_parameters(const Density* energy, Parameters parameters) {
-  post(Cancels::once, [&] { inbox_.settings = Inbox::Settings{energy, std::move(parameters)}; });
+  post(Mailbox::Cancels::once, [&](Inbox& inbox) {
+    inbox.settings = Inbox::Settings{energy, std::move(parameters)};
+  });
 }
 
 void Worker::run() {
-  post(Cancels::never, [&] {
-    inbox_.mode = WorkerMode::running;
-    inbox_.step = false;
-  });
+  post(Mailbox::Cancels::never, [](Inbox& inbox) { inbox.set_mode(WorkerMode::running); });
 }
 
 void Worker::pause() {
-  post(Cancels::never, [&] {
-    inbox_.mode = WorkerMode::paused;
-    inbox_.step = false;
-  });
+  post(Mailbox::Cancels::never, [](Inbox& inbox) { inbox.set_mode(WorkerMode::paused); });
 }
 
 void Worker::step() {
-  post(Cancels::never, [&] {
-    inbox_.mode = WorkerMode::paused;
-    inbox_.step = true;
+  post(Mailbox::Cancels::never, [](Inbox& inbox) {
+    inbox.set_mode(WorkerMode::paused);
+    inbox.step = true;
   });
 }
 
 void Worker::stop() {
-  post(Cancels::always, [&] {
-    inbox_.mode = WorkerMode::idle;
-    inbox_.step = false;
-  });
+  post(Mailbox::Cancels::always, [](Inbox& inbox) { inbox.set_mode(WorkerMode::idle); });
 }
 
 void Worker::set_pace(std::optional<double> iterations_per_second) {
-  post(Cancels::never, [&] { inbox_.pace = iterations_per_second; });
+  post(Mailbox::Cancels::never, [&](Inbox& inbox) { inbox.pace = iterations_per_second; });
 }
 
 WorkerStatus Worker::status() const {
@@ -126,111 +115,48 @@ void Worker::work(const std::stop_token& stopping) {
       std::unique_lock lock(mutex_);
       wait_for_something_to_do(lock, stopping);
       if (stopping.stop_requested()) return;
-      messages = std::exchange(inbox_, {});
-      // A message that comes from here on finds the stop source of the iteration it may cancel.
-      iteration_stop_ = std::stop_source();
-      token = iteration_stop_.get_token();
+      messages = mailbox_.collect();
+      token = mailbox_.begin_iteration();
       epoch = timeline_.epoch();
     }
-    if (messages.is_empty())
-      attempt([&] { iterate(token, epoch); });
-    else
-      attempt([&] { take(std::move(messages)); });
+    if (messages.is_empty()) {
+      iterate(token, epoch);
+    } else {
+      run_.apply(std::move(messages));
+      if (run_.snapshot()) snapshots_.publish(run_.snapshot());
+    }
     publish_status();
   }
 }
 
 void Worker::wait_for_something_to_do(std::unique_lock<std::mutex>& lock,
                                       const std::stop_token& stopping) {
-  const auto has_messages = [this] { return !inbox_.is_empty(); };
-  if (!can_iterate())
+  const auto has_messages = [this] { return !mailbox_.is_empty(); };
+  if (!run_.can_iterate())
     changed_.wait(lock, stopping, has_messages);
-  else if (period_ && last_start_ && !step_)
-    changed_.wait_until(lock, stopping, *last_start_ + *period_, has_messages);
-}
-
-bool Worker::can_iterate() const {
-  return run_ && !run_->outcome() && (step_ || mode_ == WorkerMode::running);
-}
-
-template <typename Task>
-void Worker::attempt(const Task& task) {
-  try {
-    task();
-    return;
-  } catch (const std::exception& failure) {
-    error_ = failure.what();
-  } catch (...) {
-    error_ = "the solver failed for an unknown reason";
-  }
-  run_.reset();
-}
-
-void Worker::take(Inbox messages) {
-  // The mode first: it holds whatever fails below.
-  if (messages.mode) {
-    mode_ = *messages.mode;
-    step_ = messages.step;
-  }
-  if (messages.pace) {
-    period_.reset();
-    // An hour at most, so that the sum with a time point stays in range.
-    if (*messages.pace)
-      period_ = std::chrono::duration_cast<Clock::duration>(
-          std::chrono::duration<double>(std::min(1 / **messages.pace, 3600.0)));
-  }
-  if (messages.load) {
-    run_.reset();
-    error_.clear();
-    generation_ = messages.load->generation;
-    run_.emplace(messages.load->problem, generation_, options_.start);
-  }
-  if (run_ && messages.settings) {
-    Problem problem = run_->resumed();
-    problem.energy = messages.settings->energy;
-    problem.parameters = messages.settings->parameters;
-    run_.emplace(problem, generation_, options_.start);
-  }
-  if (run_ && messages.targets) run_->set_targets(*messages.targets);
-  if (run_) snapshots_.publish(run_->snapshot());
-  if (!can_iterate()) step_ = false;
+  else if (const auto start = run_.next_start())
+    changed_.wait_until(lock, stopping, *start, has_messages);
 }
 
 void Worker::iterate(const std::stop_token& token, std::uint64_t epoch) {
-  last_start_ = Clock::now();
-  const std::shared_ptr<const Snapshot> before = run_->snapshot();
-  const std::optional<Iteration> iteration = run_->step(token);
-  const bool was_cancelled = !iteration && !run_->outcome() && token.stop_requested();
-  if (!was_cancelled) step_ = false;
+  const std::shared_ptr<const Snapshot> before = run_.snapshot();
+  const PacedRun::Step step = run_.iterate(token);
 
   std::lock_guard lock(mutex_);
-  last_was_cancelled_ = was_cancelled;
+  mailbox_.end_iteration(step.was_cancelled);
   // A load that waits has made this iteration the past, a cleared timeline its record.
-  if (!iteration || inbox_.load) return;
-  const bool is_published = run_->snapshot() != before;
-  if (is_published) snapshots_.publish(run_->snapshot());
+  if (!step.iteration || mailbox_.has_load()) return;
+  const bool is_published = run_.snapshot() != before;
+  if (is_published) snapshots_.publish(run_.snapshot());
   if (epoch == timeline_.epoch())
-    timeline_.append(*iteration, is_published ? run_->snapshot() : nullptr);
+    timeline_.append(*step.iteration, is_published ? run_.snapshot() : nullptr);
 }
 
 void Worker::publish_status() {
-  WorkerStatus status;
-  status.generation = generation_;
-  status.error = error_;
-  if (run_) {
-    status.satisfied = run_->is_satisfied();
-    if (mode_ != WorkerMode::idle) status.outcome = run_->outcome();
-    if (status.outcome) status.verdict = run_->verdict();
-    if (status.outcome)
-      status.state = WorkerState::finished;
-    else if (can_iterate())
-      status.state = WorkerState::running;
-    else if (mode_ == WorkerMode::paused)
-      status.state = WorkerState::paused;
-  }
+  WorkerStatus status = run_.status();
   {
     std::lock_guard lock(mutex_);
-    status.is_current = inbox_.is_empty();
+    status.is_current = mailbox_.is_empty();
     status_ = std::move(status);
   }
   if (wake_) wake_();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -10,39 +9,18 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <thread>
 #include <vector>
 
 #include "core/method/method.h"
 #include "core/run/channel.h"
-#include "core/run/inbox.h"
-#include "core/run/run.h"
+#include "core/run/mailbox.h"
+#include "core/run/paced_run.h"
 #include "core/run/timeline.h"
+#include "core/run/worker_status.h"
 #include "core/snapshot.h"
 
 namespace foldless {
-
-/// What the worker is doing.
-enum class WorkerState {
-  idle,     ///< nothing loaded, stopped before the end, or ended by an error
-  running,  ///< iterating
-  paused,   ///< waiting for run() or step()
-  finished  ///< the run has an outcome
-};
-
-/// State of the worker at one moment, a value.
-struct WorkerStatus {
-  WorkerState state = WorkerState::idle;
-  std::uint64_t generation = 0;    ///< of the newest load that the worker has taken up
-  std::optional<Outcome> outcome;  ///< when finished
-  std::string verdict;             ///< of the method, when finished; may be empty
-  bool satisfied = false;          ///< every handle that is not soft is at its target
-  std::string error;               ///< one sentence when the run could not go on, else empty
-  bool is_current = true;          ///< false: a message waits that the worker has not taken up
-
-  bool operator==(const WorkerStatus&) const = default;
-};
 
 struct WorkerOptions {
   std::size_t timeline_bytes = std::size_t{256} << 20;  ///< memory cap of the timeline's snapshots
@@ -99,45 +77,26 @@ class Worker {
   void clear_timeline();
 
  private:
-  using Clock = std::chrono::steady_clock;
-  enum class Cancels { always, once, never };
-
   template <typename Change>
-  void post(Cancels cancels, const Change& change);
+  void post(Mailbox::Cancels cancels, const Change& change);
 
   // On the solver thread.
   void work(const std::stop_token& stopping);
   void wait_for_something_to_do(std::unique_lock<std::mutex>& lock,
                                 const std::stop_token& stopping);
-  bool can_iterate() const;
-  template <typename Task>
-  void attempt(const Task& task);
-  void take(Inbox messages);
   void iterate(const std::stop_token& token, std::uint64_t epoch);
   void publish_status();
 
   const std::function<void()> wake_;
-  const WorkerOptions options_;
   Channel<Snapshot> snapshots_;
 
-  mutable std::mutex mutex_;  ///< guards the members down to the next comment
+  mutable std::mutex mutex_;  ///< guards the next four
   std::condition_variable_any changed_;
-  Inbox inbox_;
-  std::stop_source iteration_stop_;    ///< of the running iteration, or of one that has ended
-  bool last_was_cancelled_ = false;    ///< the iteration before the running one
-  std::uint64_t last_generation_ = 0;  ///< that load() has given out
+  Mailbox mailbox_;
   WorkerStatus status_;
   Timeline timeline_;
 
-  // Of the solver thread alone.
-  std::optional<Run> run_;
-  std::uint64_t generation_ = 0;
-  WorkerMode mode_ = WorkerMode::idle;
-  bool step_ = false;
-  std::string error_;
-  std::optional<Clock::duration> period_;
-  std::optional<Clock::time_point> last_start_;  ///< of an iteration
-
+  PacedRun run_;         ///< of the solver thread alone
   std::jthread thread_;  ///< last, so that it is joined before anything else goes
 };
 
