@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Smallest positive root of c + b t + a t² with c > 0, or infinity.
+/// Smallest positive root of c + b t + a t², or infinity; 0 where c is not positive.
 double smallest_positive_root(double a, double b, double c) {
+  if (!(c > 0)) return 0;
   const double discriminant = b * b - 4 * a * c;
   if (discriminant < 0) return kInfinity;
   const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
@@ -168,6 +169,15 @@ double Objective::largest_step(double delta, const Points& u, const Points& step
                                                        cross(x1, x2) - floor));
   }
   return largest;
+}
+
+bool Objective::is_feasible(double delta, const Points& u) const {
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    const Corners x = corners_of(u, triangles_.col(t));
+    const double floor = 2 * delta * rest_[static_cast<std::size_t>(t)].area;
+    if (!(cross(x.col(1) - x.col(0), x.col(2) - x.col(0)) > floor)) return false;
+  }
+  return true;
 }
 
 }  // namespace foldless

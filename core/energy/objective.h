@@ -61,8 +61,11 @@ class Objective {
   SparseSymmetric hessian_pattern() const;
 
   /// The largest t for which A′ > δA holds in every triangle on all of u + τ s, 0 ≤ τ < t; infinite
-  /// when nothing bounds it.
+  /// when nothing bounds it, 0 when it does not hold at u.
   double largest_step(double delta, const Points& u, const Points& step) const;
+  /// Whether A′ > δA holds in every triangle at u. Rounding can take it from where a bounded step
+  /// ends near a fold.
+  bool is_feasible(double delta, const Points& u) const;
 
  private:
   bool has_hard_handle(int v) const { return has_hard_handle_[static_cast<std::size_t>(v)]; }

@@ -49,8 +49,12 @@ VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& e
   const Points& step = lagged->step;
   StageTimer timer(system.effort().times.line_search);
   const double t_max = system.objective().largest_step(settings.delta, mesh.deformed(), step);
-  const double t = std::min(1.0, kFirstTrial * t_max);
+  double t = std::min(1.0, kFirstTrial * t_max);
   Points u = moved(mesh, constraints, step, t);
+  if (!system.objective().is_feasible(settings.delta, u)) {
+    t = 0;
+    u = mesh.deformed();
+  }
   update.step_length = t;
   update.step_infinity_norm = (u - mesh.deformed()).cwiseAbs().maxCoeff();
   mesh.set_deformed(std::move(u));

@@ -8,6 +8,7 @@
 #include "core/energy/densities.h"
 #include "core/mesh/generate.h"
 #include "core/method/method.h"
+#include "tests/support/random_vector.h"
 
 namespace foldless::test {
 
@@ -31,7 +32,7 @@ inline Shape random_shape(std::mt19937_64& random) {
   const double amount = 0.03 * unit(random);
   for (Eigen::Index v = 0; v < shape.rest.cols(); ++v) {
     Points moved = shape.rest;
-    moved.col(v) += amount * (Vec2(unit(random), unit(random)) - Vec2(0.5, 0.5));
+    moved.col(v) += amount * (random_vector(unit, random) - Vec2(0.5, 0.5));
     const bool valid = std::ranges::all_of(shape.triangles.colwise(), [&](const auto& t) {
       return (t.array() != v).all() || signed_area(moved, t) > 1e-5;
     });
@@ -60,7 +61,7 @@ inline Problem random_problem(std::uint64_t seed) {
     handle.id = i;
     handle.vertex = vertices[static_cast<std::size_t>(i)];
     handle.target =
-        shape.rest.col(handle.vertex) + reach * (Vec2(unit(random), unit(random)) - Vec2(0.5, 0.5));
+        shape.rest.col(handle.vertex) + reach * (random_vector(unit, random) - Vec2(0.5, 0.5));
     problem.handles.push_back(handle);
   }
   return problem;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/winding.h"
+#include "tests/support/random_vector.h"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +88,7 @@ TEST(LeastWindingBeside, IsTheAngleThePolygonsTurnByRoundThePoint) {
   for (int round = 0; round < 2000; ++round) {
     Points points(2, 3 + round % 9);
     for (double& x : points.reshaped()) x = unit(random);
-    const Vec2 p(unit(random), unit(random));
+    const Vec2 p = test::random_vector(unit, random);
     double sum = 0;
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
       const Vec2 a = points.col(i) - p, b = points.col((i + 1) % points.cols()) - p;

@@ -11,6 +11,7 @@
 #include "core/mesh/orientation.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/random_vector.h"
 #include "tests/support/spiral.h"
 
 namespace foldless {
@@ -119,7 +120,7 @@ MeshPair wild_grid(std::mt19937_64& random) {
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       if (mesh.is_boundary_vertex(v)) continue;
       Points rest = mesh.rest();
-      rest.col(v) += 0.8 * Vec2(unit(random), unit(random));
+      rest.col(v) += 0.8 * test::random_vector(unit, random);
       const std::vector<int> round_v = mesh.triangles_of_vertex(v);
       if (std::ranges::all_of(
               round_v, [&](int t) { return signed_area(rest, mesh.triangles().col(t)) > 0.01; }))

@@ -10,6 +10,7 @@
 #include "core/mesh/injective.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/random_vector.h"
 #include "tests/support/spiral.h"
 #include "tests/support/valid_pair.h"
 
@@ -36,7 +37,7 @@ void crease(CoarseMesh& coarse, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(-0.5, 0.5);
   MeshPair& mesh = coarse.mesh;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    Vec2 way(unit(random), unit(random));
+    Vec2 way = test::random_vector(unit, random);
     for (int trial = 0; trial < 6; ++trial, way *= 0.5) {
       Points u = mesh.deformed();
       u.col(v) += way;

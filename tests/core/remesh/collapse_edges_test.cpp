@@ -13,6 +13,7 @@
 #include "core/mesh/injective.h"
 #include "tests/support/meshes.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/random_vector.h"
 
 namespace foldless {
 namespace {
@@ -198,8 +199,8 @@ MeshPair refined_mesh(std::mt19937_64& random) {
                     0.2 + 0.6 * unit(random));
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     Points rest = mesh.rest(), u = mesh.deformed();
-    u.col(v) += 0.1 * Vec2(unit(random) - 0.5, unit(random) - 0.5);
-    if (!mesh.is_boundary_vertex(v)) rest.col(v) += 0.01 * Vec2(unit(random), unit(random));
+    u.col(v) += 0.1 * (test::random_vector(unit, random) - Vec2(0.5, 0.5));
+    if (!mesh.is_boundary_vertex(v)) rest.col(v) += 0.01 * test::random_vector(unit, random);
     if (is_injective(mesh.triangles(), rest, u)) mesh.set_positions(rest, u);
   }
   return mesh;

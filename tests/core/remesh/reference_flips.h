@@ -12,6 +12,7 @@
 #include "core/mesh/injective.h"
 #include "core/remesh/flip_edges.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/random_vector.h"
 
 namespace foldless::test {
 
@@ -131,7 +132,7 @@ inline MeshPair tangled_pair(std::uint64_t seed) {
   for (int pass = 0; pass < 3; ++pass)
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       Points u = mesh.deformed();
-      u.col(v) += Vec2(unit(random), unit(random));
+      u.col(v) += random_vector(unit, random);
       const bool is_open = std::ranges::all_of(mesh.triangles_of_vertex(v), [&](int t) {
         const Eigen::Vector3i corners = mesh.triangles().col(t);
         return signed_area(u, corners) > 0.05 * signed_area(mesh.rest(), corners);

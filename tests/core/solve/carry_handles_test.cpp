@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <vector>
 
 #include "core/energy/densities.h"
 #include "core/mesh/injective.h"
 #include "tests/core/solve/newton_fixture.h"
 #include "tests/support/meshes.h"
+#include "tests/support/random_vector.h"
 
 namespace foldless {
 namespace {
@@ -67,6 +69,23 @@ TEST(CarryHandles, AStepIsBoundedAlongItsLineAndTheHandlesGoThatPartOfTheirWay) 
   const InjectivityChecker checker(c.mesh.triangles(), c.mesh.vertex_count());
   for (int k = 0; k <= 8; ++k)
     EXPECT_TRUE(checker.is_injective(before + k / 8.0 * (c.mesh.deformed() - before))) << k;
+}
+
+TEST(CarryHandles, NeverFoldsHoweverOftenTheyPressAgainstWhatIsInTheWay) {
+  int pressed = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(-2, 2);
+    Carried c("arap", 2, {0, 0});
+    NewtonSystem system(c.mesh, c.energy.constraints, c.effort);
+    for (int step = 0; step < 100; ++step) {
+      if (step % 25 == 0) c.energy.constraints.targets.col(1) = test::random_vector(unit, random);
+      pressed += carry_handles(system, c.mesh, c.energy, {}).step_length < 1e-6;
+      ASSERT_TRUE(is_injective(c.mesh.triangles(), c.mesh.deformed())) << "step " << step;
+    }
+  }
+  EXPECT_GT(pressed, 30) << "the claim would be empty";
 }
 
 TEST(CarryHandles, NoRoundingKeepsAHandleFromItsTarget) {

@@ -8,6 +8,7 @@
 #include "core/method/foldless/foldless.h"
 #include "tests/core/method/foldless/coarse_scenes.h"
 #include "tests/core/method/foldless/foldless_scenes.h"
+#include "tests/support/random_vector.h"
 
 namespace foldless {
 namespace {
@@ -161,7 +162,7 @@ TEST(Coarse, IsValidOnRandomScenesWhateverIsCancelledAndResumed) {
     while (vertices.size() < 5) vertices.insert(static_cast<int>(random() % 225));
     for (const int v : vertices) {
       problem.handles.push_back(test::held(problem.mesh.rest(), v));
-      problem.handles.back().target += 0.5 * Vec2(unit(random), unit(random));
+      problem.handles.back().target += 0.5 * test::random_vector(unit, random);
     }
     Foldless method(problem, tiny);
     std::stop_source stopped;

@@ -5,6 +5,7 @@
 #include "core/method/foldless/foldless.h"
 #include "tests/core/method/foldless/coarse_scenes.h"
 #include "tests/core/method/foldless/foldless_scenes.h"
+#include "tests/support/random_vector.h"
 
 namespace foldless {
 namespace {
@@ -88,7 +89,7 @@ TEST(Driver, ASoftHandleThatCanBeMetEndsAtItsTarget) {
     Handle soft = test::held(problem.mesh.rest(), 40);
     soft.id = 9;
     soft.kind = HandleKind::soft;
-    soft.target += Vec2(unit(random), unit(random));
+    soft.target += test::random_vector(unit, random);
     problem.handles.push_back(soft);
     Foldless method(problem);
     test::run_validly(method);

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/method/foldless/settle.h"
+#include "core/method/foldless/transport.h"
 #include "tests/core/method/foldless/stage_runner.h"
 #include "tests/core/method/foldless/workspaces.h"
 #include "tests/support/valid_pair.h"
@@ -84,6 +87,42 @@ TEST(Tidy, OfARefinedMeshKeepsFewOfTheAddedVertices) {
     original += kept;
   }
   EXPECT_LE(added, 0.2 * original) << "of " << original;
+}
+
+TEST(Tidy, ARoundThatRaisedWhatSettleLowersIsUndone) {
+  int kept = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    constexpr int kSplits = 8;
+    OwnWorkspace settled = arrived_workspace(seed, kSplits),
+                 tidied = arrived_workspace(seed, kSplits);
+    const int original = settled.settings.first_removable;
+    if (kSplits > 0.1 * original) continue;  // a crowded mesh may rise by more
+    test::run_to_the_end(settle(settled.work));
+    test::run_to_the_end(tidy(tidied.work));
+    EXPECT_LE(merit_of(tidied.work), std::pow(1.01, 3) * merit_of(settled.work));
+    kept += tidied.work.mesh.vertex_count() > original;
+  }
+  EXPECT_GE(kept, 4) << "the claim would be empty";
+}
+
+TEST(Tidy, WhereATriangleIsStillCrushedItSettlesOnceMoreWithALargerExponent) {
+  int crushed = 0;
+  for (const std::uint64_t seed : {23, 24, 45}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = test::held_frame(seed);
+    Workspace& work = own.work;
+    const auto plans = transport_plans(work.handles(), work.constraints.targets, 0);
+    test::run_to_the_end(transport_in_rounds(work, plans.front()));
+    own.settings.first_removable = work.mesh.vertex_count();
+    OwnWorkspace tidied(work.mesh, work.constraints, own.settings);
+    test::run_to_the_end(settle(work));
+    if (!is_crushed(work.mesh)) continue;
+    ++crushed;
+    test::run_to_the_end(tidy(tidied.work));
+    EXPECT_LT(largest_distortion(tidied.work.mesh), 0.5 * largest_distortion(work.mesh));
+  }
+  EXPECT_GE(crushed, 2) << "the claim would be empty";
 }
 
 }  // namespace

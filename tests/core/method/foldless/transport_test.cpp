@@ -96,6 +96,39 @@ TEST(Transport, GoesOnFromWhereOneLockedAndSettlesFirst) {
   EXPECT_GT(2 * nearer, transports.size());
 }
 
+TEST(Transport, GroupsTravelOneAfterTheOther) {
+  const Shape shape = grid({.columns = 12, .rows = 12, .width = 0.7, .height = 0.7});
+  const Vec2 ways[] = {{0.2, 0.1}, {0.1, 0.25}};
+  const int vertices[] = {57, 96};
+  std::vector<Handle> handles;
+  for (int i = 0; i < 2; ++i)
+    handles.push_back(
+        {.id = i, .vertex = vertices[i], .target = shape.rest.col(vertices[i]) + ways[i]});
+  OwnWorkspace own = test::workspace_of(MeshPair(shape.triangles, shape.rest), handles);
+  Workspace& work = own.work;
+  const Points starts = work.handles();
+  const TransportPlan plan{PathKind::straight, {{1}, {0}, {0, 1}}};
+  StageRunner<Progress> runner(transport(work, plan));
+  int first_alone = 0;
+  while (!runner.has_ended()) {
+    runner.step();
+    const Points now = work.handles();
+    const double gone = (now.col(0) - starts.col(0)).norm();
+    const double left = (work.constraints.targets.col(1) - now.col(1)).norm();
+    if (left > plan.stride) {
+      ++first_alone;
+      EXPECT_LT(gone, 0.3 * plan.stride) << "it waits while the other has " << left << " to go";
+    }
+  }
+  EXPECT_GE(first_alone, 3);
+  EXPECT_EQ(runner.result(), Progress::arrived);
+}
+
+TEST(Transport, EdgesAheadOfHandlesThatStayBehindAreSplit) {
+  for (const auto& [seed, locked] : locked_transports())
+    EXPECT_GT(locked->effort.splits, 0) << "seed " << seed;
+}
+
 TEST(Transport, HandlesThatTurnKeepStepWhateverTheirDistanceFromTheCentre) {
   const Shape shape = grid({.columns = 12, .rows = 12, .width = 0.7, .height = 0.7});
   const Vec2 centre(0.35, 0.35);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/method/foldless/workspaces.h"
+#include "tests/support/random_vector.h"
 #include "tests/support/valid_pair.h"
 
 namespace foldless {
@@ -14,7 +15,8 @@ using test::OwnWorkspace;
 /// Targets of all handles moved from where they are by up to `reach`.
 void move_targets(Workspace& work, double reach, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(-reach, reach);
-  for (auto target : work.constraints.targets.colwise()) target += Vec2(unit(random), unit(random));
+  for (auto target : work.constraints.targets.colwise())
+    target += test::random_vector(unit, random);
 }
 
 TEST(Workspace, SnapsExactlyWhereNoTriangleFoldsAndTheEnergyGrowsByLessThanHalf) {
@@ -41,7 +43,8 @@ TEST(Workspace, SnapsExactlyWhereNoTriangleFoldsAndTheEnergyGrowsByLessThanHalf)
     grown += grows;
     snapped += !folds && !grows;
   }
-  EXPECT_GE(std::min({snapped, folded, grown}), 4) << "the claim would be empty";
+  EXPECT_GE(std::min({snapped, folded, grown}), 4)
+      << "the claim would be empty: " << snapped << ' ' << folded << ' ' << grown;
 }
 
 TEST(Workspace, SoftHandlesAreNotSnapped) {

@@ -9,6 +9,7 @@
 #include "core/mesh/generate.h"
 #include "core/method/foldless/workspace.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/random_vector.h"
 
 namespace foldless::test {
 
@@ -52,7 +53,7 @@ inline OwnWorkspace arrived_workspace(std::uint64_t seed, int splits = 0) {
   const Objective objective(mesh, constraints);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     Points step = Points::Zero(2, mesh.vertex_count());
-    step.col(v) = 0.3 * Vec2(unit(random) - 0.5, unit(random) - 0.5);
+    step.col(v) = 0.3 * (random_vector(unit, random) - Vec2(0.5, 0.5));
     const double largest = objective.largest_step(settings.energy.delta, mesh.deformed(), step);
     mesh.set_deformed(mesh.deformed() + std::min(1.0, 0.7 * largest) * step);
   }
