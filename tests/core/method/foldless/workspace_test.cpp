@@ -21,7 +21,7 @@ void move_targets(Workspace& work, double reach, std::mt19937_64& random) {
 
 TEST(Workspace, SnapsExactlyWhereNoTriangleFoldsAndTheEnergyGrowsByLessThanHalf) {
   int snapped = 0, folded = 0, grown = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     OwnWorkspace own = test::arrived_workspace(seed);
