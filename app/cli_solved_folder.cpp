@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void expect_injective(const fs::path& file, const InjectivityReport& report) {
-  if (report.is_injective()) return;
+  if (report.is_injective_inside()) return;
   throw Error(file.string() + ": the mesh is folded (" + std::to_string(report.inverted) +
               " inverted and " + std::to_string(report.degenerate) + " degenerate triangles, " +
               std::to_string(report.branch_vertices) + " vertices covered more than once)");

@@ -40,7 +40,7 @@ double distortion_energy(const Density& energy, const Snapshot& state) {
 }
 
 void measure(const Density& energy, const Snapshot& state, BenchRow& row) {
-  row.is_valid = is_injective(*state.triangles, *state.rest, state.deformed);
+  row.is_valid = is_injective_inside(*state.triangles, *state.rest, state.deformed);
   row.handle_error_squared = handle_error_squared(constraints_of(state.handles), state.deformed);
   row.distortion_energy = distortion_energy(energy, state);
   row.vertices_added = static_cast<int>(state.rest->cols()) - row.vertices;
