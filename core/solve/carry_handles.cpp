@@ -48,7 +48,7 @@ VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& e
   }
   const Points& step = lagged->step;
   StageTimer timer(system.effort().times.line_search);
-  const double t_max = system.objective().largest_step(settings.delta, mesh.deformed(), step);
+  const double t_max = system.objective().largest_step(settings, mesh.deformed(), step);
   const double t = std::min(1.0, kFirstTrial * t_max);
   Points u = moved(mesh, constraints, step, t);
   update.step_length = t;

@@ -29,8 +29,7 @@ TEST(Workspace, SnapsExactlyWhereNoTriangleFoldsAndTheEnergyGrowsByLessThanHalf)
     Points u = before;
     u(Eigen::all, work.constraints.vertices) = work.constraints.targets;
     const Objective& objective = work.system.objective();
-    const double delta = own.settings.energy.delta;
-    const bool folds = objective.largest_step(delta, before, u - before) <= 1;
+    const bool folds = objective.largest_step(own.settings.energy, before, u - before) <= 1;
     const Energy energy = work.held_energy();
     const double E = objective.value(energy, before).total();
     const bool grows = !folds && objective.value(energy, u).total() > 1.5 * E;
