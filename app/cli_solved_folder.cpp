@@ -69,6 +69,8 @@ Snapshot read_pair(const fs::path& rest, const fs::path& deformed) {
   Snapshot snapshot;
   snapshot.folded_triangles = report.inverted + report.degenerate;
   snapshot.branch_vertices = report.branch_vertices;
+  snapshot.overlapping_boundary_vertices =
+      static_cast<int>(report.overlapping_boundary_vertices.size());
   snapshot.original_vertices = static_cast<int>(files.rest.points.cols());
   snapshot.triangles = std::make_shared<const Triangles>(std::move(files.rest.triangles));
   snapshot.rest = std::make_shared<const Points>(std::move(files.rest.points));

@@ -1,29 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/energy/boundary_guard.h"
 
-#include <algorithm>
+#include <initializer_list>
 #include <limits>
 
 #include "core/energy/quadratic.h"
-#include "core/mesh/injective.h"
 
 namespace foldless {
 
+namespace boundary_guard {
+
+/// By vertex; nothing is asked of interior ones, of which there are far more.
+std::vector<bool> overlaps_of(const Triangles& triangles,
+                              const std::vector<BoundaryNeighbours>& neighbours,
+                              std::initializer_list<const Points*> meshes) {
+  std::vector<bool> overlaps(neighbours.size(), false);
+  for (const auto& t : triangles.colwise())
+    for (int corner = 0; corner < 3; ++corner) {
+      const auto v = static_cast<std::size_t>(t[corner]);
+      if (!neighbours[v].are_there()) continue;
+      for (const Points* points : meshes)
+        if (comes_round_to_next(*points, t[corner], t[(corner + 1) % 3], t[(corner + 2) % 3],
+                                neighbours[v].next))
+          overlaps[v] = true;
+    }
+  return overlaps;
+}
+
+}  // namespace boundary_guard
+
 BoundaryGuard::BoundaryGuard(const MeshPair& mesh)
     : gap_of_(static_cast<std::size_t>(mesh.vertex_count()), -1) {
-  const Triangles& triangles = mesh.triangles();
-  const std::vector<int> at_rest = overlapping_boundary_vertices(triangles, mesh.rest());
-  const std::vector<int> now = overlapping_boundary_vertices(triangles, mesh.deformed());
   const std::vector<BoundaryNeighbours> neighbours =
-      boundary_neighbours(triangles, mesh.vertex_count());
+      boundary_neighbours(mesh.triangles(), mesh.vertex_count());
+  const std::vector<bool> overlaps =
+      boundary_guard::overlaps_of(mesh.triangles(), neighbours, {&mesh.rest(), &mesh.deformed()});
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    const BoundaryNeighbours& of_v = neighbours[static_cast<std::size_t>(v)];
-    if (!of_v.are_there() || std::ranges::binary_search(at_rest, v) ||
-        std::ranges::binary_search(now, v))
-      continue;
-    BoundaryGap gap{.vertex = v, .neighbours = of_v};
+    const auto i = static_cast<std::size_t>(v);
+    if (!neighbours[i].are_there() || overlaps[i]) continue;
+    BoundaryGap gap{v, neighbours[i]};
     gap.width = angle_between(sides_of(gap, mesh.rest()));
-    gap_of_[static_cast<std::size_t>(v)] = static_cast<int>(gaps_.size());
+    gap_of_[i] = static_cast<int>(gaps_.size());
     gaps_.push_back(gap);
   }
 }
