@@ -106,7 +106,8 @@ Points BoundedConformal::start_of_paths() const {
   const double K = parameters_.distortion_bound;
   const Points& u = mesh_.deformed();
   const bool can_start = system_.is_bounded(u, kStartMargin * K) &&
-                         system_.are_held_triangles_bounded(u, K) && checker_.is_injective_inside(u);
+                         system_.are_held_triangles_bounded(u, K) &&
+                         checker_.is_injective_inside(u);
   return can_start ? u : mesh_.rest();
 }
 
