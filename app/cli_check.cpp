@@ -99,7 +99,7 @@ bool add_injectivity(const MeshFiles& files, Line& line) {
   };
   name_problems(rest, "rest");
   name_problems(deformed, "deformed");
-  const bool is_injective = rest.is_injective() && deformed.is_injective();
+  const bool is_injective = rest.is_injective_inside() && deformed.is_injective_inside();
   line.add("locally_injective", is_injective);
   return is_injective;
 }

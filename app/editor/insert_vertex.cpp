@@ -27,7 +27,7 @@ bool is_valid_at(const MeshPair& mesh, int vertex, double delta) {
     if (!(signed_area(mesh.deformed(), corners) > delta * signed_area(mesh.rest(), corners)))
       return false;
   }
-  return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
+  return is_injective_inside(mesh.triangles(), mesh.rest(), mesh.deformed());
 }
 
 }  // namespace
