@@ -129,7 +129,8 @@ bool StuckHandles::follow(const Document& document, bool has_ended) {
   pose_ = document.pose;
   targets_ = document.handles;
   handles_.clear();
-  if (!is_at_targets(document) && is_injective_inside(*pose_->triangles, *pose_->rest, pose_->deformed))
+  if (!is_at_targets(document) &&
+      is_injective_inside(*pose_->triangles, *pose_->rest, pose_->deformed))
     handles_ = find_stuck_handles(document);
   return had_any || !handles_.empty();
 }
