@@ -204,7 +204,8 @@ TEST(Validate, RefusesAMeshThatOverlapsItselfAtABoundaryVertex) {
 
 TEST(Validate, DeformedPositionsMayOverlapAtTheBoundaryWhereThatIsAllowed) {
   const test::Fixture round = test::open_fan(400);
-  const MeshSource source{.name = "a.obj"};
+  MeshSource source;
+  source.name = "a.obj";
   EXPECT_NE(error_of([&] { check_positions(round.triangles, round.rest, source); }), "");
   EXPECT_EQ(error_of([&] {
               check_positions(round.triangles, round.rest, source, BoundaryOverlaps::allowed);
