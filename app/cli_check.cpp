@@ -85,8 +85,10 @@ bool add_injectivity(const MeshFiles& files, Line& line) {
   line.add("flipped", deformed.inverted + 0.0);
   line.add("degenerate", deformed.degenerate + 0.0);
   line.add("branch_vertices", deformed.branch_vertices + 0.0);
+  line.add("overlapping_boundary_vertices", deformed.overlapping_boundary_vertices.size() + 0.0);
   line.add("rest_nonpositive", rest.inverted + rest.degenerate + 0.0);
   line.add("rest_branch_vertices", rest.branch_vertices + 0.0);
+  line.add("rest_overlapping_boundary_vertices", rest.overlapping_boundary_vertices.size() + 0.0);
   const auto name_problems = [&](const InjectivityReport& report, const std::string& mesh) {
     if (report.inverted + report.degenerate > 0)
       line.add_problem(std::to_string(report.inverted) + " inverted and " +
@@ -96,6 +98,11 @@ bool add_injectivity(const MeshFiles& files, Line& line) {
       line.add_problem(std::to_string(report.branch_vertices) +
                        " interior vertices are covered more than once in the " + mesh +
                        " mesh, first vertex " + std::to_string(*report.first_branch_vertex));
+    if (!report.overlapping_boundary_vertices.empty())
+      line.add_problem(std::to_string(report.overlapping_boundary_vertices.size()) +
+                       " boundary vertices overlap themselves in the " + mesh +
+                       " mesh, first vertex " +
+                       std::to_string(report.overlapping_boundary_vertices.front()));
   };
   name_problems(rest, "rest");
   name_problems(deformed, "deformed");

@@ -120,6 +120,7 @@ JsonNode report_of(const Solved& solved) {
       {"inverted", node_of(inverted_triangles(state))},
       {"folded", node_of(state.folded_triangles)},
       {"branch_vertices", node_of(state.branch_vertices)},
+      {"overlapping_boundary_vertices", node_of(state.overlapping_boundary_vertices)},
       {"seconds", seconds_node(solved)},
       {"handles", handles_node(state.handles)},
       {"flipped_edges", edges_node(*state.flipped_edges)},

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void expect_injective(const fs::path& file, const InjectivityReport& report) {
-  if (report.is_injective()) return;
+  if (report.is_injective_inside()) return;
   throw Error(file.string() + ": the mesh is folded (" + std::to_string(report.inverted) +
               " inverted and " + std::to_string(report.degenerate) + " degenerate triangles, " +
               std::to_string(report.branch_vertices) + " vertices covered more than once)");
@@ -69,6 +69,8 @@ Snapshot read_pair(const fs::path& rest, const fs::path& deformed) {
   Snapshot snapshot;
   snapshot.folded_triangles = report.inverted + report.degenerate;
   snapshot.branch_vertices = report.branch_vertices;
+  snapshot.overlapping_boundary_vertices =
+      static_cast<int>(report.overlapping_boundary_vertices.size());
   snapshot.original_vertices = static_cast<int>(files.rest.points.cols());
   snapshot.triangles = std::make_shared<const Triangles>(std::move(files.rest.triangles));
   snapshot.rest = std::make_shared<const Points>(std::move(files.rest.points));

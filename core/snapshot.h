@@ -30,8 +30,10 @@ struct Snapshot {
   /// What methods that may fold have made of M′, counted with exact predicates.
   int folded_triangles = 0;  ///< clockwise or of no area
   int branch_vertices = 0;   ///< interior vertices that unfolded triangles wind round twice
+  /// Boundary vertices of M′ whose angles add up to 2π or more; see InjectivityReport.
+  int overlapping_boundary_vertices = 0;
 
-  /// True when M′ is locally injective.
+  /// True when M′ is locally injective but for boundary vertices: a run may go on from it.
   bool is_valid() const { return folded_triangles == 0 && branch_vertices == 0; }
 };
 

@@ -57,6 +57,8 @@ constexpr std::array kColumns{
     Column{"handle_error_squared",
            [](const BenchRow& row) { return number(row.handle_error_squared); }},
     Column{"diagonal", [](const BenchRow& row) { return number(row.diagonal); }},
+    Column{"overlapping_boundary_vertices",
+           [](const BenchRow& row) { return number(row.overlapping_boundary_vertices); }},
     Column{"note", [](const BenchRow& row) { return JsonNode{row.note}; }},
 };
 

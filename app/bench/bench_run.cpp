@@ -40,7 +40,10 @@ double distortion_energy(const Density& energy, const Snapshot& state) {
 }
 
 void measure(const Density& energy, const Snapshot& state, BenchRow& row) {
-  row.is_valid = is_injective(*state.triangles, *state.rest, state.deformed);
+  const InjectivityChecker checker(*state.triangles, static_cast<int>(state.rest->cols()));
+  const InjectivityReport report = checker.check(state.deformed);
+  row.is_valid = report.is_injective_inside() && checker.is_injective_inside(*state.rest);
+  row.overlapping_boundary_vertices = static_cast<int>(report.overlapping_boundary_vertices.size());
   row.handle_error_squared = handle_error_squared(constraints_of(state.handles), state.deformed);
   row.distortion_energy = distortion_energy(energy, state);
   row.vertices_added = static_cast<int>(state.rest->cols()) - row.vertices;

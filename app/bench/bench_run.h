@@ -34,20 +34,22 @@ struct BenchRow {
   Parameters parameters;
   int vertices = 0;  ///< of the scene's mesh
   int faces = 0;
-  bool is_satisfied = false;     ///< every handle is at its target: ‖P‖² ≤ 1e-10 D²
-  bool is_valid = false;         ///< rest and deformed mesh are proved locally injective, exactly
-  std::string outcome;           ///< a word of report.json, `time-limit`, or `refused`
-  std::string note;              ///< why the method refused the scene; else empty
-  Iteration last;                ///< counters, eq. 7 and 8 of the last record
-  double seconds = 0;            ///< processor time of the run's thread
-  double distortion_energy = 0;  ///< E_d of the last state
-  double handle_error_squared = 0;       ///< ‖P‖² of the last state
-  int vertices_added = 0;                ///< that splits left in the last state
-  double diagonal = 1;                   ///< D of the rest mesh
-  double max_conformal_distortion = 1;   ///< not a number where the map is not valid
-  double mean_conformal_distortion = 1;  ///< likewise
-  std::vector<Iteration> iterations;     ///< every record
-  std::vector<DragFrame> frames;         ///< of a drag
+  bool is_satisfied = false;  ///< every handle is at its target: ‖P‖² ≤ 1e-10 D²
+  /// Rest and deformed mesh are proved locally injective, exactly, but for boundary vertices.
+  bool is_valid = false;
+  int overlapping_boundary_vertices = 0;  ///< of the deformed mesh
+  std::string outcome;                    ///< a word of report.json, `time-limit`, or `refused`
+  std::string note;                       ///< why the method refused the scene; else empty
+  Iteration last;                         ///< counters, eq. 7 and 8 of the last record
+  double seconds = 0;                     ///< processor time of the run's thread
+  double distortion_energy = 0;           ///< E_d of the last state
+  double handle_error_squared = 0;        ///< ‖P‖² of the last state
+  int vertices_added = 0;                 ///< that splits left in the last state
+  double diagonal = 1;                    ///< D of the rest mesh
+  double max_conformal_distortion = 1;    ///< not a number where the map is not valid
+  double mean_conformal_distortion = 1;   ///< likewise
+  std::vector<Iteration> iterations;      ///< every record
+  std::vector<DragFrame> frames;          ///< of a drag
 
   bool has_reached() const { return is_satisfied && is_valid && outcome != "time-limit"; }
   double relative_handle_error() const { return handle_error_squared / (diagonal * diagonal); }

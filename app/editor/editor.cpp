@@ -50,7 +50,7 @@ bool Editor::update(double now) {
   }
   if (race_.update(now)) redraw();
   const bool rests =
-      !solving_.is_running() && !is_editing() && !scrubbed_ && !race_.is_open() && proof_.holds();
+      !solving_.is_running() && !is_editing() && !scrubbed_ && !race_.is_open() && !proof_.folds();
   if (stuck_.follow(document_, rests)) redraw();
   return std::exchange(needs_redraw_, false);
 }

@@ -39,7 +39,7 @@ void Editor::toggle_race() {
 
 void Editor::use_race_lane(std::size_t index) {
   const RaceLane& lane = *race_.lanes().at(index);
-  if (!lane.proof().holds())
+  if (lane.proof().folds())
     return toast(ToastKind::error, "That map folds; the editor keeps to maps that do not.");
   begin_edit();
   Document document = document_;

@@ -21,13 +21,19 @@ int split_at(MeshPair& mesh, int triangle, const Eigen::Vector3d& barycentric) {
   return mesh.split_edge(e, mesh.edge(e)[0] == corners[from] ? t : 1 - t);
 }
 
+std::size_t overlaps(const MeshPair& mesh) {
+  const InjectivityChecker checker(mesh.triangles(), mesh.vertex_count());
+  return checker.check(mesh.rest()).overlapping_boundary_vertices.size() +
+         checker.check(mesh.deformed()).overlapping_boundary_vertices.size();
+}
+
 bool is_valid_at(const MeshPair& mesh, int vertex, double delta) {
   for (const int t : mesh.triangles_of_vertex(vertex)) {
     const Eigen::Vector3i corners = mesh.triangles().col(t);
     if (!(signed_area(mesh.deformed(), corners) > delta * signed_area(mesh.rest(), corners)))
       return false;
   }
-  return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
+  return is_injective_inside(mesh.triangles(), mesh.rest(), mesh.deformed());
 }
 
 }  // namespace
@@ -39,7 +45,8 @@ int insert_vertex(MeshPair& mesh, int triangle, const Eigen::Vector3d& barycentr
   if (largest > 1 - kNear) return corner;
   MeshPair trial = mesh;
   const int vertex = split_at(trial, triangle, barycentric);
-  if (!is_valid_at(trial, vertex, delta)) return corner;
+  // A map that overlaps at the boundary already may stay so.
+  if (!is_valid_at(trial, vertex, delta) || overlaps(trial) > overlaps(mesh)) return corner;
   mesh = std::move(trial);
   return vertex;
 }

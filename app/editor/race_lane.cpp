@@ -79,7 +79,7 @@ std::string RaceLane::words() const {
   if (!error().empty()) return error();
   if (!is_at_end()) return "Iteration " + std::to_string(shown_tick_);
   const std::string after = " after " + std::to_string(shown_tick_);
-  if (!proof_.holds()) return "Folded" + after;
+  if (proof_.folds()) return "Folded" + after;
   if (is_at_targets()) return "Converged" + after;
   if (outcome() == Outcome::infeasible) return "Infeasible" + after;
   if (outcome() == Outcome::iteration_limit) return "Out of iterations" + after;

@@ -62,7 +62,7 @@ bool is_stuck(const Document& document, const Handle& handle) {
 
 /// The document with another connectivity, or nothing when that is not valid after all.
 std::optional<Document> remeshed(const Document& document, const MeshPair& mesh) {
-  if (!is_injective(mesh.triangles(), mesh.rest(), mesh.deformed())) return std::nullopt;
+  if (!is_injective_inside(mesh.triangles(), mesh.rest(), mesh.deformed())) return std::nullopt;
   Document changed = document;
   changed.pose = pose_of(mesh, *document.original);
   return changed;
@@ -129,7 +129,8 @@ bool StuckHandles::follow(const Document& document, bool has_ended) {
   pose_ = document.pose;
   targets_ = document.handles;
   handles_.clear();
-  if (!is_at_targets(document) && is_injective(*pose_->triangles, *pose_->rest, pose_->deformed))
+  if (!is_at_targets(document) &&
+      is_injective_inside(*pose_->triangles, *pose_->rest, pose_->deformed))
     handles_ = find_stuck_handles(document);
   return had_any || !handles_.empty();
 }

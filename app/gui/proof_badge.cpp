@@ -32,16 +32,25 @@ void draw_mark(bool holds, const ImVec2& c, ImU32 colour, const Look& look) {
   }
 }
 
+const char* verdict_of(const Proof& proof) {
+  if (proof.holds())
+    return "Proved with exact arithmetic: no triangle of this map is turned over, no vertex is "
+           "wound twice, and no boundary vertex overlaps itself.";
+  if (proof.folds())
+    return "This map folds. The method that made it does not prevent that; the remeshing-assisted "
+           "methods do.";
+  return "At some boundary vertices the angles of this map add up to a full turn or more. The "
+         "method that made it does not look there; Foldless does.";
+}
+
 std::string tip_of(const Proof& proof) {
   std::array<char, 512> text{};
   std::snprintf(text.data(), text.size(),
-                "%s\n\nInverted triangles: %d\nVertices wound twice: %d\nSmallest area ratio A′/A: "
-                "%.6g\nLargest conformal distortion σ₁/σ₂: %.6g\nTriangles: %d, vertices: %d",
-                proof.holds() ? "Proved with exact arithmetic: no triangle of this map is turned "
-                                "over, and no vertex is wound twice."
-                              : "This map folds. The method that made it does not prevent that; "
-                                "the remeshing-assisted methods do.",
-                proof.inverted, proof.branch_vertices, proof.min_area_ratio,
+                "%s\n\nInverted triangles: %d\nVertices wound twice: %d\nBoundary vertices that "
+                "overlap themselves: %d\nSmallest area ratio A′/A: %.6g\nLargest conformal "
+                "distortion σ₁/σ₂: %.6g\nTriangles: %d, vertices: %d",
+                verdict_of(proof), proof.inverted, proof.branch_vertices,
+                proof.overlapping_boundary_vertices, proof.min_area_ratio,
                 proof.max_conformal_distortion, proof.triangles, proof.vertices);
   return text.data();
 }
@@ -54,7 +63,8 @@ std::string badge_words(const Proof& proof, float room) {
   const std::string numbers = numbers_of(proof);
   const std::array candidates{
       verdict + "  ·  " + numbers + "  ·  " + std::to_string(proof.triangles) + " △",
-      verdict + "  ·  " + numbers, verdict, proof.holds() ? folds : std::string("Folded")};
+      verdict + "  ·  " + numbers, verdict,
+      proof.holds() ? folds : std::string(proof.folds() ? "Folded" : "Overlaps")};
   for (const std::string& words : candidates)
     if (ImGui::CalcTextSize(words.c_str()).x <= room) return words;
   return candidates.back();

@@ -151,10 +151,10 @@ void draw_choice(Editor& editor, std::size_t lane, const Look& look) {
 /// True when the user wants what the lane shows.
 bool draw_use_button(const RaceLane& lane, const Look& look) {
   ImGui::SameLine();
-  ImGui::BeginDisabled(!lane.proof().holds());
+  ImGui::BeginDisabled(lane.proof().folds());
   const bool is_pressed = ImGui::Button("Use");
   ImGui::EndDisabled();
-  tooltip(lane.proof().holds()
+  tooltip(!lane.proof().folds()
               ? "Takes this mesh, and how it was made, into the document: one undo step."
               : "This map folds; the editor keeps to maps that do not.",
           look);
@@ -164,10 +164,13 @@ bool draw_use_button(const RaceLane& lane, const Look& look) {
 void draw_numbers(const RaceLane& lane, const Look& look) {
   const Iteration record = lane.record() ? *lane.record() : Iteration{};
   std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "H/U %d/%d  ·  ‖P‖² %.2g  ·  %d inverted",
+  const Proof& proof = lane.proof();
+  const bool only_overlaps = !proof.folds() && !proof.holds();
+  std::snprintf(text.data(), text.size(), "H/U %d/%d  ·  ‖P‖² %.2g  ·  %d %s",
                 record.factorizations, record.updates, record.handle_error_squared,
-                lane.proof().inverted);
-  if (lane.proof().holds()) return dim_text(text.data(), look);
+                only_overlaps ? proof.overlapping_boundary_vertices : proof.inverted,
+                only_overlaps ? "overlapping" : "inverted");
+  if (proof.holds()) return dim_text(text.data(), look);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::PushFont(look.fonts.small);
   const ImVec2 size = ImGui::CalcTextSize(text.data());
@@ -177,7 +180,7 @@ void draw_numbers(const RaceLane& lane, const Look& look) {
       look.px(3));
   ImGui::TextColored(look.palette->on_caution, "%s", text.data());
   ImGui::PopFont();
-  tooltip(fold_words(lane.proof()), look);
+  tooltip(fold_words(proof), look);
 }
 
 /// Returns whether the lane's mesh is to be used.

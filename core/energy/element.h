@@ -25,6 +25,11 @@ struct EnergySettings {
   bool barrier_area_weighted = false;  ///< true: Σ β A χ instead of Σ β χ
   Reference reference = Reference::rest;
   double conformal_weight = 0;  ///< of conformal_square_value() of every triangle, large or small
+  /// κ, the weight per rest area of the barrier on the gaps of boundary vertices; 0: neither the
+  /// barrier nor its bound on steps, and boundary vertices may overlap themselves.
+  double gap_weight = 0;
+
+  bool guards_boundary() const { return gap_weight > 0; }
 };
 
 /// What the energy needs of a rest triangle.

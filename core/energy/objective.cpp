@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/energy/quadratic.h"
+
 namespace foldless {
 namespace {
 
@@ -13,12 +15,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Smallest positive root of c + b t + a t², or infinity; 0 where c is not positive.
 double smallest_positive_root(double a, double b, double c) {
   if (!(c > 0)) return 0;
-  const double discriminant = b * b - 4 * a * c;
-  if (discriminant < 0) return kInfinity;
-  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
   double root = kInfinity;
-  for (const double t : {q / a, c / q})
-    if (t > 0) root = std::min(root, t);  // NaN and division by zero fall through
+  for (const double t : roots(a, b, c))
+    if (t > 0) root = std::min(root, t);  // NaN falls through
   return root;
 }
 
@@ -26,8 +25,6 @@ void add(const ElementEnergy& element, EnergyTerms& sum) {
   sum.distortion += element.distortion;
   sum.barrier += element.barrier;
 }
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 void add_penalty(const Energy& energy, const Points& u, EnergyGradient& sum) {
   const auto& [settings, constraints] = energy;
@@ -54,12 +51,21 @@ void add_penalty(const Energy& energy, SparseSymmetric& hessian) {
   }
 }
 
+/// The part of a side of a gap in ∇²E; its third corner is none.
+Eigen::Matrix<double, 6, 6> block_of(const Mat2& curvature) {
+  Eigen::Matrix<double, 6, 6> block = Eigen::Matrix<double, 6, 6>::Zero();
+  block.block<2, 2>(0, 0) = block.block<2, 2>(2, 2) = curvature;
+  block.block<2, 2>(0, 2) = block.block<2, 2>(2, 0) = -curvature;
+  return block;
+}
+
 }  // namespace
 
 Objective::Objective(const MeshPair& mesh, const Constraints& constraints)
     : has_hard_handle_(static_cast<std::size_t>(mesh.vertex_count()), false),
       triangles_(Triangles::Constant(3, mesh.face_count(), -1)),
-      rest_(static_cast<std::size_t>(mesh.face_count())) {
+      rest_(static_cast<std::size_t>(mesh.face_count())),
+      guard_(mesh) {
   for (int i = 0; i < constraints.count(); ++i) {
     const auto row = static_cast<std::size_t>(i);
     if (!constraints.soft[row])
@@ -78,6 +84,7 @@ void Objective::follow_flips(const MeshPair& mesh) {
     triangles_.col(i) = t;
     rest_[static_cast<std::size_t>(i)] = rest_element(corners_of(mesh.rest(), t));
   }
+  guard_.follow_flips(triangles_, rest_);
 }
 
 EnergyTerms Objective::value(const Energy& energy, const Points& u) const {
@@ -88,6 +95,10 @@ EnergyTerms Objective::value(const Energy& energy, const Points& u) const {
         corners_of(u, triangles_.col(t)));
     if (e.barrier == kInfinity) return {0, 0, kInfinity};
     add(e, terms);
+  }
+  if (energy.settings.guards_boundary()) {
+    terms.barrier += energy.settings.gap_weight * guard_.value(u);
+    if (terms.barrier == kInfinity) return {0, 0, kInfinity};
   }
   terms.penalty = energy.settings.alpha * penalty(energy.constraints, u);
   return terms;
@@ -103,6 +114,7 @@ EnergyGradient Objective::gradient(const Energy& energy, const Points& u) const 
     for (int corner = 0; corner < 3; ++corner)
       sum.gradient.segment<2>(2 * triangles_(corner, t)) += e.gradient.segment<2>(2 * corner);
   }
+  add_gaps(energy.settings, u, sum);
   add_penalty(energy, u, sum);
   return sum;
 }
@@ -119,12 +131,13 @@ EnergyGradient Objective::assemble(const Energy& energy, const Points& u, Sparse
     std::array<int, 3> nodes{};
     for (int corner = 0; corner < 3; ++corner) {
       const int v = triangles_(corner, t);
-      const bool is_eliminated = energy.constraints.held && has_hard_handle(v);
-      nodes[static_cast<std::size_t>(corner)] = is_eliminated ? -1 : v;
+      nodes[static_cast<std::size_t>(corner)] = node_of(v, energy.constraints);
       sum.gradient.segment<2>(2 * v) += e.gradient.segment<2>(2 * corner);
     }
     add_block(hessian, nodes, e.hessian);
   }
+  add_gaps(energy.settings, u, sum);
+  add_gaps(energy, u, hessian);
   add_penalty(energy, u, sum);
   add_penalty(energy, hessian);
   return sum;
@@ -145,7 +158,34 @@ Eigen::VectorXd Objective::pull_of_handles(const EnergySettings& settings, const
       if (!has_hard_handle(corners[corner]))
         pull.segment<2>(2 * corners[corner]) += change.segment<2>(2 * corner);
   }
+  if (settings.guards_boundary()) add_pull_of_gaps(settings, u, way, pull);
   return pull;
+}
+
+void Objective::add_gaps(const EnergySettings& settings, const Points& u,
+                         EnergyGradient& sum) const {
+  if (settings.guards_boundary())
+    sum.energy.barrier +=
+        settings.gap_weight * guard_.add_gradient(settings.gap_weight, u, sum.gradient);
+}
+
+void Objective::add_gaps(const Energy& energy, const Points& u, SparseSymmetric& hessian) const {
+  const auto& [settings, constraints] = energy;
+  if (!settings.guards_boundary()) return;
+  for (const GapSide& side : guard_.curved_sides(u))
+    add_block(hessian,
+              {node_of(side.vertex, constraints), node_of(side.neighbour, constraints), -1},
+              block_of(settings.gap_weight * side.curvature));
+}
+
+void Objective::add_pull_of_gaps(const EnergySettings& settings, const Points& u, const Points& way,
+                                 Eigen::VectorXd& pull) const {
+  for (const GapSide& side : guard_.curved_sides(u)) {
+    const Vec2 change =
+        settings.gap_weight * side.curvature * (way.col(side.neighbour) - way.col(side.vertex));
+    if (!has_hard_handle(side.neighbour)) pull.segment<2>(2 * side.neighbour) += change;
+    if (!has_hard_handle(side.vertex)) pull.segment<2>(2 * side.vertex) -= change;
+  }
 }
 
 SparseSymmetric Objective::hessian_pattern() const {
@@ -156,28 +196,30 @@ SparseSymmetric Objective::hessian_pattern() const {
   return sparse_symmetric(static_cast<int>(has_hard_handle_.size()), edges);
 }
 
-double Objective::largest_step(double delta, const Points& u, const Points& step) const {
-  double largest = kInfinity;
+double Objective::largest_step(const EnergySettings& settings, const Points& u,
+                               const Points& step) const {
+  double largest = settings.guards_boundary() ? guard_.largest_step(u, step) : kInfinity;
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
     const Corners x = corners_of(u, triangles_.col(t));
     const Corners s = corners_of(step, triangles_.col(t));
     const Vec2 x1 = x.col(1) - x.col(0), x2 = x.col(2) - x.col(0);
     const Vec2 s1 = s.col(1) - s.col(0), s2 = s.col(2) - s.col(0);
     // 2(A′ − δA) along the line is a quadratic in t.
-    const double floor = 2 * delta * rest_[static_cast<std::size_t>(t)].area;
+    const double floor = 2 * settings.delta * rest_[static_cast<std::size_t>(t)].area;
     largest = std::min(largest, smallest_positive_root(cross(s1, s2), cross(x1, s2) + cross(s1, x2),
                                                        cross(x1, x2) - floor));
   }
   return largest;
 }
 
-bool Objective::is_feasible(double delta, const Points& u) const {
+bool Objective::is_feasible(const EnergySettings& settings, const Points& u,
+                            const Points& end) const {
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const Corners x = corners_of(u, triangles_.col(t));
-    const double floor = 2 * delta * rest_[static_cast<std::size_t>(t)].area;
+    const Corners x = corners_of(end, triangles_.col(t));
+    const double floor = 2 * settings.delta * rest_[static_cast<std::size_t>(t)].area;
     if (!(cross(x.col(1) - x.col(0), x.col(2) - x.col(0)) > floor)) return false;
   }
-  return true;
+  return !settings.guards_boundary() || guard_.stays_open(u, end);
 }
 
 }  // namespace foldless

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/energy/boundary_guard.h"
 #include "core/energy/constraints.h"
 #include "core/energy/element.h"
 #include "core/linear/sparse_symmetric.h"
@@ -22,7 +23,7 @@ struct Energy {
 struct EnergyTerms {
   double distortion = 0;  ///< E_d
   double penalty = 0;     ///< α E_c
-  double barrier = 0;     ///< β E_b, infinite outside the feasible set
+  double barrier = 0;     ///< β E_b and that of the gaps, infinite outside the feasible set
   double total() const { return distortion + penalty + barrier; }
 };
 
@@ -60,20 +61,30 @@ class Objective {
   /// ∇²E with all values zero.
   SparseSymmetric hessian_pattern() const;
 
-  /// The largest t for which A′ > δA holds in every triangle on all of u + τ s, 0 ≤ τ < t; infinite
-  /// when nothing bounds it, 0 when it does not hold at u.
-  double largest_step(double delta, const Points& u, const Points& step) const;
-  /// Whether A′ > δA holds in every triangle at u. Rounding can take it from where a bounded step
-  /// ends near a fold.
-  bool is_feasible(double delta, const Points& u) const;
+  /// The largest t for which A′ > δA holds in every triangle on all of u + τ s, 0 ≤ τ < t, and
+  /// where the settings guard the boundary no gap closes; infinite when nothing bounds it, 0 when a
+  /// triangle is not so at u.
+  double largest_step(const EnergySettings& settings, const Points& u, const Points& step) const;
+  /// Whether A′ > δA holds in every triangle at the end of a step from u, and no guarded gap has
+  /// closed: rounding can take a bounded step that ends near a fold beyond it.
+  bool is_feasible(const EnergySettings& settings, const Points& u, const Points& end) const;
 
  private:
   bool has_hard_handle(int v) const { return has_hard_handle_[static_cast<std::size_t>(v)]; }
+  /// −1 for a vertex that is no unknown.
+  int node_of(int v, const Constraints& constraints) const {
+    return constraints.held && has_hard_handle(v) ? -1 : v;
+  }
+  void add_gaps(const EnergySettings& settings, const Points& u, EnergyGradient& sum) const;
+  void add_gaps(const Energy& energy, const Points& u, SparseSymmetric& hessian) const;
+  void add_pull_of_gaps(const EnergySettings& settings, const Points& u, const Points& way,
+                        Eigen::VectorXd& pull) const;
 
   std::vector<bool> has_hard_handle_;               ///< by vertex
   Triangles triangles_;                             ///< 3 × #F
   std::vector<RestElement> rest_;                   ///< one a triangle
   std::vector<Eigen::Index> triangles_of_handles_;  ///< those with a corner at a hard handle
+  BoundaryGuard guard_;
 };
 
 }  // namespace foldless

@@ -87,6 +87,15 @@ void check_covers(const InjectivityReport& report, const MeshSource& source) {
          "lay the mesh flat without overlap round its interior vertices");
 }
 
+void check_boundary(const InjectivityReport& report, const MeshSource& source) {
+  const std::vector<int>& overlaps = report.overlapping_boundary_vertices;
+  if (overlaps.empty()) return;
+  refuse(source.at_vertex(overlaps.front()) +
+             " overlaps itself: its angles add up to a full turn or more",
+         overlaps.size(), "boundary vertex",
+         "open the gap between its two boundary edges, or cut the mesh there");
+}
+
 /// Triangles that are all clockwise become counter-clockwise.
 void turn_over(TriangleSoup& mesh) {
   mesh.triangles.row(1).swap(mesh.triangles.row(2));
@@ -116,7 +125,8 @@ void check_connectivity(const Triangles& triangles, int vertex_count, const Mesh
   check_bow_ties(triangles, twins, vertex_count, source);
 }
 
-void check_positions(const Triangles& triangles, const Points& points, const MeshSource& source) {
+void check_positions(const Triangles& triangles, const Points& points, const MeshSource& source,
+                     BoundaryOverlaps allowed) {
   const InjectivityReport report = check_injectivity(triangles, points);
   if (report.first_degenerate)
     refuse(source.at_triangle(*report.first_degenerate, triangles) + " has zero area",
@@ -126,6 +136,7 @@ void check_positions(const Triangles& triangles, const Points& points, const Mes
            static_cast<std::size_t>(report.inverted), "triangle",
            "every triangle must be counter-clockwise");
   check_covers(report, source);
+  if (allowed == BoundaryOverlaps::refused) check_boundary(report, source);
 }
 
 TriangleSoup validated(TriangleSoup mesh) {

@@ -15,10 +15,14 @@ namespace foldless {
 /// (bow tie). Throws Error naming the first offender and the count. Precondition: indices in range.
 void check_connectivity(const Triangles& triangles, int vertex_count, const MeshSource& source);
 
+/// Whether boundary vertices may overlap themselves, as published methods leave them in M′.
+enum class BoundaryOverlaps { refused, allowed };
+
 /// Refuses positions (2 × #V) that are not locally injective: a triangle of area zero, a clockwise
-/// triangle, an interior vertex covered more than once; all exact. Throws Error.
-/// Precondition: the triangles passed check_connectivity().
-void check_positions(const Triangles& triangles, const Points& points, const MeshSource& source);
+/// triangle, an interior vertex covered more than once, a boundary vertex whose angles add up to 2π
+/// or more; all exact. Throws Error. Precondition: the triangles passed check_connectivity().
+void check_positions(const Triangles& triangles, const Points& points, const MeshSource& source,
+                     BoundaryOverlaps allowed = BoundaryOverlaps::refused);
 
 /// Makes a mesh that the solver can take, or throws Error naming the first offender and the count:
 /// checks the connectivity and the positions, and refuses mixed orientation. Triangles that are

@@ -31,6 +31,18 @@ void count_crossings(const Eigen::Vector3i& t, const Points& points, std::vector
   }
 }
 
+/// Marks the boundary vertices whose angle a counter-clockwise triangle takes past a full turn.
+void mark_overlaps(const Eigen::Vector3i& t, const Points& points,
+                   const std::vector<BoundaryNeighbours>& boundary, std::vector<bool>& overlaps) {
+  for (int corner = 0; corner < 3; ++corner) {
+    const int v = t[corner];
+    const BoundaryNeighbours& neighbours = boundary[static_cast<std::size_t>(v)];
+    if (neighbours.are_there() &&
+        comes_round_to_next(points, v, t[kNext[corner]], t[kPrevious[corner]], neighbours.next))
+      overlaps[static_cast<std::size_t>(v)] = true;
+  }
+}
+
 }  // namespace
 
 std::vector<bool> interior_vertices(const Triangles& triangles, int vertex_count) {
@@ -50,27 +62,33 @@ std::vector<bool> interior_vertices(const Triangles& triangles, int vertex_count
 }
 
 InjectivityChecker::InjectivityChecker(Triangles triangles, int vertex_count)
-    : triangles_(std::move(triangles)), interior_(interior_vertices(triangles_, vertex_count)) {}
+    : triangles_(std::move(triangles)),
+      interior_(interior_vertices(triangles_, vertex_count)),
+      boundary_(boundary_neighbours(triangles_, vertex_count)) {}
 
 InjectivityReport InjectivityChecker::check(const Points& points) const {
   assert(static_cast<std::size_t>(points.cols()) == interior_.size());
   InjectivityReport report;
   std::vector<int> crossings(interior_.size(), 0);
-  std::vector<bool> positive(interior_.size(), true);
+  std::vector<bool> positive(interior_.size(), true), overlaps(interior_.size(), false);
   for (Eigen::Index f = 0; f < triangles_.cols(); ++f) {
     const Eigen::Vector3i t = triangles_.col(f);
     const int sign = orientation(points, t);
     if (sign > 0) {
       count_crossings(t, points, crossings);
+      mark_overlaps(t, points, boundary_, overlaps);
       continue;
     }
     for (const int v : t) positive[static_cast<std::size_t>(v)] = false;
     if (sign < 0) count_offender(static_cast<int>(f), report.inverted, report.first_inverted);
     if (sign == 0) count_offender(static_cast<int>(f), report.degenerate, report.first_degenerate);
   }
-  for (std::size_t v = 0; v < interior_.size(); ++v)
-    if (interior_[v] && positive[v] && crossings[v] != 1)
+  for (std::size_t v = 0; v < interior_.size(); ++v) {
+    if (!positive[v]) continue;
+    if (interior_[v] && crossings[v] != 1)
       count_offender(static_cast<int>(v), report.branch_vertices, report.first_branch_vertex);
+    if (overlaps[v]) report.overlapping_boundary_vertices.push_back(static_cast<int>(v));
+  }
   return report;
 }
 
@@ -85,6 +103,15 @@ bool is_injective(const Triangles& triangles, const Points& points) {
 bool is_injective(const Triangles& triangles, const Points& rest, const Points& deformed) {
   const InjectivityChecker checker(triangles, static_cast<int>(rest.cols()));
   return checker.is_injective(rest) && checker.is_injective(deformed);
+}
+
+bool is_injective_inside(const Triangles& triangles, const Points& rest, const Points& deformed) {
+  const InjectivityChecker checker(triangles, static_cast<int>(rest.cols()));
+  return checker.is_injective_inside(rest) && checker.is_injective_inside(deformed);
+}
+
+std::vector<int> overlapping_boundary_vertices(const Triangles& triangles, const Points& points) {
+  return check_injectivity(triangles, points).overlapping_boundary_vertices;
 }
 
 }  // namespace foldless

@@ -13,6 +13,9 @@ using Points = Eigen::Matrix2Xd;     ///< 2 × #V, one vertex a column
 using Triangles = Eigen::Matrix3Xi;  ///< 3 × #F, vertex indices of a triangle a column
 using Edge = std::array<int, 2>;     ///< vertex indices, the smaller first
 
+/// a × b, positive where b is to the left of a.
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
 /// Signed area of the triangle a, b, c; positive when counter-clockwise. [length²]
 inline double signed_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));

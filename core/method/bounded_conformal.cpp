@@ -106,7 +106,8 @@ Points BoundedConformal::start_of_paths() const {
   const double K = parameters_.distortion_bound;
   const Points& u = mesh_.deformed();
   const bool can_start = system_.is_bounded(u, kStartMargin * K) &&
-                         system_.are_held_triangles_bounded(u, K) && checker_.is_injective(u);
+                         system_.are_held_triangles_bounded(u, K) &&
+                         checker_.is_injective_inside(u);
   return can_start ? u : mesh_.rest();
 }
 
@@ -123,7 +124,7 @@ Steps<BoundedConformal::PathEnd> BoundedConformal::follow(const Points& start,
       return solve_program(path.at(lambda), kMovingTolerance, token);
     };
     Trial trial = co_await vertex_update(move);
-    if (trial.status == ConeStatus::solved && !checker_.is_injective(trial.u)) {
+    if (trial.status == ConeStatus::solved && !checker_.is_injective_inside(trial.u)) {
       trial.status = ConeStatus::not_converged;
       trial.why = "the maps fold or wind twice";
     }

@@ -51,18 +51,19 @@ constexpr Names kOfBoundedConformal = {"alpha", "inner_iterations", "start", "di
 constexpr Names kOfProjection = {"alpha", "inner_iterations", "distortion_bound"};
 
 constexpr std::array kMethods{
-    MethodRow{"foldless", "Foldless", "this", start<Foldless>, false, kOfFoldless, Foldless::kBeta},
+    MethodRow{"foldless", "Foldless", "this", start<Foldless>, false, false, kOfFoldless,
+              Foldless::kBeta},
     MethodRow{"paper", "Remeshing-assisted, flips and splits", "JHT14",
-              start_remeshing_assisted<true, true>, false, kOfAlgorithm1},
+              start_remeshing_assisted<true, true>, false, true, kOfAlgorithm1},
     MethodRow{"paper-flip", "Remeshing-assisted, flips", "JHT14",
-              start_remeshing_assisted<true, false>, false, kOfAlgorithm1},
+              start_remeshing_assisted<true, false>, false, true, kOfAlgorithm1},
     MethodRow{"paper-noflip", "Remeshing-assisted, no flips", "JHT14",
-              start_remeshing_assisted<false, false>, false, kWithoutFlips},
-    MethodRow{"lim", "Locally injective mappings", "SKPSH13", start<Lim>, true, kOfLim},
+              start_remeshing_assisted<false, false>, false, true, kWithoutFlips},
+    MethodRow{"lim", "Locally injective mappings", "SKPSH13", start<Lim>, true, true, kOfLim},
     MethodRow{"bounded-conformal", "Bounded conformal distortion", "Lip12", start<BoundedConformal>,
-              true, kOfBoundedConformal},
+              true, true, kOfBoundedConformal},
     MethodRow{"injective-projection", "Injective projection", "AL13", start<InjectiveProjection>,
-              true, kOfProjection},
+              true, true, kOfProjection},
 };
 
 }  // namespace

@@ -19,6 +19,8 @@ struct MethodRow {
   /// Meshes of the method may be folded or wind twice round a vertex, by its nature: they are
   /// published, marked as what they are.
   bool may_fold = false;
+  /// Its meshes may overlap themselves at boundary vertices: likewise.
+  bool may_overlap = false;
   std::span<const std::string_view> parameters = {};  ///< names of Parameters that it reads
   std::optional<double> beta =
       std::nullopt;  ///< its default β per unit rest area; else the energy's

@@ -14,8 +14,6 @@ constexpr double kCoincident = 1e-9;
 /// An edge of C_α is split at v_α, but not nearer than this to its ends.
 constexpr double kLeastParameter = 0.2;
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// The side of a triangle round v that is opposite to v, counter-clockwise seen from v.
 struct LinkEdge {
   int a, b;

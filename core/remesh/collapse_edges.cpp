@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mesh/boundary.h"
 #include "core/mesh/orientation.h"
 #include "core/remesh/diamond_energy.h"
 
@@ -135,14 +136,30 @@ std::vector<Eigen::Vector3i> triangles_after(const Rings& rings, int v, int to) 
   return triangles;
 }
 
-// Positive triangles are enough for the angles too. Those round an interior vertex fill the simple
-// polygon of its link, and so must the new ones, once. A corner of the link has at most two of the
-// new triangles: their angles add up to what was there but for full turns, and to less than one.
+// Positive triangles are enough for the angles of all vertices but two. Those round an interior
+// vertex fill the simple polygon of its link, and so must the new ones, once. A corner of the link
+// has at most two of the new triangles: their angles add up to what was there but for full turns,
+// and to less than one. Only the neighbours of a boundary vertex along the boundary have a new
+// neighbour there.
 bool is_valid(const MeshPair& mesh, const std::vector<Eigen::Vector3i>& triangles, double delta) {
   return !triangles.empty() && is_feasible(mesh, triangles, delta) &&
          std::ranges::all_of(triangles, [&](const Eigen::Vector3i& t) {
            return orientation(mesh.rest(), t) > 0 && orientation(mesh.deformed(), t) > 0;
          });
+}
+
+/// Whether a boundary vertex overlaps itself, in either mesh, when v has gone to `to`.
+bool overlaps_after(const MeshPair& mesh, const Rings& rings, int v,
+                    const std::vector<Eigen::Vector3i>& moved) {
+  const auto overlaps = [&](int neighbour) {
+    std::vector<Eigen::Vector3i> fan = rings.triangles_round(neighbour);
+    std::erase_if(fan, [&](const auto& t) { return (t.array() == v).any(); });
+    for (const Eigen::Vector3i& t : moved)
+      if ((t.array() == neighbour).any()) fan.push_back(t);
+    return overlaps_itself(neighbour, fan, mesh.rest()) ||
+           overlaps_itself(neighbour, fan, mesh.deformed());
+  };
+  return std::ranges::any_of(rings.boundary_neighbours(v), overlaps);
 }
 
 std::optional<Collapse> best_collapse(const MeshPair& mesh, const Rings& rings, int v,
@@ -153,7 +170,8 @@ std::optional<Collapse> best_collapse(const MeshPair& mesh, const Rings& rings, 
   std::optional<Collapse> best;
   for (const int to : places_to_go(mesh, rings, v)) {
     const std::vector<Eigen::Vector3i> after = triangles_after(rings, v, to);
-    if (!is_valid(mesh, after, settings.energy.delta)) continue;
+    if (!is_valid(mesh, after, settings.energy.delta) || overlaps_after(mesh, rings, v, after))
+      continue;
     const double rise = energy_of(mesh, after, settings.energy) - energy;
     if (rise <= settings.largest_rise && (!best || rise < best->rise) &&
         largest_distortion(mesh, after) <= bound)

@@ -18,11 +18,11 @@ struct CollapseSettings {
 
 /// Removes vertices by half-edge collapses, those that raise the energy least first: the triangles
 /// round a vertex give way to those of one of its neighbours with the edges of its link. Both
-/// meshes stay locally injective, every new triangle has the least shape that flips ask for, the
-/// topology stays, and so do outline and area of the rest mesh: a vertex of the boundary goes only
-/// where the rest boundary is straight. The vertices that are left move up, so that indices stay
-/// dense; every index of a vertex from `first_removable` on is void when any were removed. Returns
-/// how many.
+/// meshes stay locally injective, at the boundary too, every new triangle has the least shape that
+/// flips ask for, the topology stays, and so do outline and area of the rest mesh: a vertex of the
+/// boundary goes only where the rest boundary is straight. The vertices that are left move up, so
+/// that indices stay dense; every index of a vertex from `first_removable` on is void when any were
+/// removed. Returns how many.
 int collapse_edges(MeshPair& mesh, const CollapseSettings& settings);
 
 }  // namespace foldless

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/run/publisher.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/error.h"
@@ -8,17 +10,26 @@
 namespace foldless {
 namespace {
 
-void expect_injective(const MeshPair& mesh) {
+/// The report on M′ of a mesh that a run may begin with.
+InjectivityReport expect_injective(const MeshPair& mesh) {
   const InjectivityChecker checker(mesh.triangles(), mesh.vertex_count());
-  if (!checker.is_injective(mesh.rest()) || !checker.is_injective(mesh.deformed()))
+  InjectivityReport report = checker.check(mesh.deformed());
+  if (!checker.is_injective_inside(mesh.rest()) || !report.is_injective_inside())
     throw Error("the mesh to start from is folded; reset its pose");
+  return report;
+}
+
+std::vector<int> merged(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> both;
+  std::ranges::set_union(a, b, std::back_inserter(both));
+  return both;
 }
 
 /// The frame of a part that both positions survive.
 Normalisation frame_of(const MeshPair& part, const InjectivityChecker& checker) {
   Normalisation frame = normalisation_for(part.rest());
   // Subtracting the offset rounds; scaling alone does not.
-  if (!checker.is_injective(frame.to_unit(part.deformed()))) frame.offset.setZero();
+  if (!checker.is_injective_inside(frame.to_unit(part.deformed()))) frame.offset.setZero();
   return frame;
 }
 
@@ -29,39 +40,46 @@ Publisher::Publisher(const Problem& problem, std::uint64_t generation)
     : original_edges_(*problem.original->triangles, problem.original->vertices),
       part_(problem.mesh, problem.handles),
       checker_({}, 0) {
-  expect_injective(problem.mesh);
+  const InjectivityReport whole = expect_injective(problem.mesh);
   common_.generation = generation;
   common_.original_vertices = problem.original->vertices;
   const MeshPair part = part_.of(problem).mesh;
   common_.revision = part.revision();
   adopt_connectivity(part.triangles(), part.rest());
+  const std::vector<int> overlaps = checker_.check(part.deformed()).overlapping_boundary_vertices;
+  idle_overlaps_ = static_cast<int>(whole.overlapping_boundary_vertices.size() - overlaps.size());
+  overlaps_of_beginning_ =
+      merged(overlaps, checker_.check(part.rest()).overlapping_boundary_vertices);
+  does_rest_overlap_ = false;
   if (!is_idle()) normalisation_ = frame_of(part, checker_);
-  first_ = snapshot_of(part.deformed(), false);
+  first_ = snapshot_of(part.deformed(), {});
 }
 
 Problem Publisher::part_of(const Problem& problem) const {
   Problem part = part_.of(problem);
   const Points rest = normalisation_.to_unit_rest(part.mesh.rest());
   const Points deformed = normalisation_.to_unit(part.mesh.deformed());
-  if (!checker_.is_injective(rest) || !checker_.is_injective(deformed))
+  if (!checker_.is_injective_inside(rest) || !checker_.is_injective_inside(deformed))
     throw Error("the mesh is too large or too small for double precision; scale it");
   for (Handle& handle : part.handles) handle.target = normalisation_.to_unit(handle.target);
   part.mesh.set_positions(rest, deformed);
   return part;
 }
 
-std::shared_ptr<Snapshot> Publisher::publish(const MeshPair& mesh, bool may_fold) {
+std::shared_ptr<Snapshot> Publisher::publish(const MeshPair& mesh, const Licence& licence) {
   if (mesh.revision() != common_.revision) {
     common_.revision = mesh.revision();
     adopt_connectivity(mesh.triangles(), normalisation_.from_unit_rest(mesh.rest()));
   }
-  return is_rest_injective_ ? snapshot_of(normalisation_.from_unit(mesh.deformed()), may_fold)
-                            : nullptr;
+  if (is_rest_folded_ || (does_rest_overlap_ && !licence.to_overlap)) return nullptr;
+  return snapshot_of(normalisation_.from_unit(mesh.deformed()), licence);
 }
 
 void Publisher::adopt_connectivity(const Triangles& triangles, const Points& rest) {
   checker_ = InjectivityChecker(triangles, static_cast<int>(rest.cols()));
-  is_rest_injective_ = checker_.is_injective(rest);
+  const InjectivityReport report = checker_.check(rest);
+  is_rest_folded_ = !report.is_injective_inside();
+  does_rest_overlap_ = has_new_overlaps(report);
   common_.triangles = std::make_shared<const Triangles>(
       part_.whole_triangles(triangles, static_cast<int>(rest.cols())));
   common_.rest = std::make_shared<const Points>(part_.whole_rest(rest));
@@ -69,12 +87,20 @@ void Publisher::adopt_connectivity(const Triangles& triangles, const Points& res
       std::make_shared<const std::vector<Edge>>(original_edges_.flipped_in(*common_.triangles));
 }
 
-std::shared_ptr<Snapshot> Publisher::snapshot_of(const Points& deformed, bool may_fold) const {
+bool Publisher::has_new_overlaps(const InjectivityReport& report) const {
+  return !std::ranges::includes(overlaps_of_beginning_, report.overlapping_boundary_vertices);
+}
+
+std::shared_ptr<Snapshot> Publisher::snapshot_of(const Points& deformed,
+                                                 const Licence& licence) const {
   const InjectivityReport report = checker_.check(deformed);
-  if (!report.is_injective() && !(may_fold && deformed.allFinite())) return nullptr;
+  if (!report.is_injective_inside() && !(licence.to_fold && deformed.allFinite())) return nullptr;
+  if (!licence.to_overlap && has_new_overlaps(report)) return nullptr;
   auto snapshot = std::make_shared<Snapshot>(common_);
   snapshot->folded_triangles = report.inverted + report.degenerate;
   snapshot->branch_vertices = report.branch_vertices;
+  snapshot->overlapping_boundary_vertices =
+      static_cast<int>(report.overlapping_boundary_vertices.size()) + idle_overlaps_;
   snapshot->deformed = part_.whole_deformed(deformed);
   return snapshot;
 }

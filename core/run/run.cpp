@@ -17,9 +17,10 @@ OriginalMesh original_of(const Problem& problem) {
       std::make_shared<const Triangles>(problem.mesh.triangles()), problem.mesh.vertex_count()});
 }
 
-bool may_fold(std::string_view method) {
+Licence licence_of(std::string_view method) {
   const MethodRow* row = find_method(method);
-  return row && row->may_fold;
+  if (!row) return {};
+  return {.to_fold = row->may_fold, .to_overlap = row->may_overlap};
 }
 
 }  // namespace
@@ -70,7 +71,7 @@ std::optional<Iteration> Run::step(const std::stop_token& token) {
   std::optional<Iteration> iteration = method_->step(token);
   if (!iteration) return std::nullopt;
   iteration = in_input_units(*iteration, normalisation());
-  if (auto next = publisher_->publish(method_->mesh(), may_fold(parameters_.method))) {
+  if (auto next = publisher_->publish(method_->mesh(), licence_of(parameters_.method))) {
     next->handles = handles_;
     next->iteration = iteration;
     snapshot_ = std::move(next);

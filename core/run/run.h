@@ -35,8 +35,8 @@ class Run {
   /// One vertex update, its record in input units; see Method::step for cancellation. With s the
   /// scale of normalisation(): energies, ‖∇E‖² and ‖P‖² are divided by s², lengths by s; μ, ratios
   /// and counters are the same in both frames. A mesh that is not locally injective in input units
-  /// is not published, unless the method may fold and its rest mesh is: the record is returned, but
-  /// snapshot() stays what it was.
+  /// is not published, unless the method may make it so and its rest mesh is: the record is
+  /// returned, but snapshot() stays what it was.
   std::optional<Iteration> step(const std::stop_token& token);
   /// How the run ended; nothing while it can go on.
   std::optional<Outcome> outcome() const;
@@ -52,7 +52,7 @@ class Run {
   const std::vector<Handle>& handles() const { return handles_; }
 
   /// The last state that was published, with the newest targets; never null. It is valid in input
-  /// units, or marked as not when the method may fold.
+  /// units, or marked as not when the method may make such.
   std::shared_ptr<const Snapshot> snapshot() const { return snapshot_; }
   /// The problem that goes on from the last valid state.
   Problem resumed() const;

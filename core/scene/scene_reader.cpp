@@ -151,7 +151,7 @@ class SceneReader {
     const int n = static_cast<int>(rest.points.cols());
     check_connectivity(rest.triangles, n, rest.source);
     check_positions(rest.triangles, rest.points, rest.source);
-    check_positions(posed.triangles, posed.points, posed.source);
+    check_positions(posed.triangles, posed.points, posed.source, BoundaryOverlaps::allowed);
     scene_.state =
         SceneState{std::move(rest.triangles), std::move(rest.points), std::move(posed.points)};
   }

@@ -48,10 +48,10 @@ VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& e
   }
   const Points& step = lagged->step;
   StageTimer timer(system.effort().times.line_search);
-  const double t_max = system.objective().largest_step(settings.delta, mesh.deformed(), step);
+  const double t_max = system.objective().largest_step(settings, mesh.deformed(), step);
   double t = std::min(1.0, kFirstTrial * t_max);
   Points u = moved(mesh, constraints, step, t);
-  if (!system.objective().is_feasible(settings.delta, u)) {
+  if (!system.objective().is_feasible(settings, mesh.deformed(), u)) {
     t = 0;
     u = mesh.deformed();
   }

@@ -17,7 +17,7 @@ constexpr int kMostHalvings = 60;
 LineSearchResult line_search(const Objective& objective, const Energy& energy, const Line& line) {
   // Near the minimum the decrease drowns in the rounding of the sum.
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * std::abs(line.energy);
-  const double t_max = objective.largest_step(energy.settings.delta, line.u, line.step);
+  const double t_max = objective.largest_step(energy.settings, line.u, line.step);
   double t = std::min(1.0, kFirstTrial * t_max);
   for (int halving = 0; halving < kMostHalvings; ++halving, t /= 2) {
     Points trial = line.u + t * line.step;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include "core/linear/sparse_symmetric.h"
 
@@ -17,6 +18,11 @@ inline Eigen::MatrixXd dense(const SparseSymmetric& m) {
       result(row, column) = result(column, row) = m.value[static_cast<std::size_t>(k)];
     }
   return result;
+}
+
+/// Of a symmetric matrix.
+inline double smallest_eigenvalue(const Eigen::MatrixXd& matrix) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues()[0];
 }
 
 }  // namespace foldless::test

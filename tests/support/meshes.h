@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include "core/mesh/triangle.h"
 
 namespace foldless::test {
@@ -38,6 +41,20 @@ inline Fixture square_grid(int n) {
       f.triangles.col(t++) << a, a + 1, a + n + 1;
       f.triangles.col(t++) << a, a + n + 1, a + n;
     }
+  return f;
+}
+
+/// Triangles round the boundary vertex 0 at the origin, rim vertices 1, 2, … on the unit circle,
+/// whose angles add up to so much; from a full turn on the mesh overlaps itself at vertex 0.
+inline Fixture open_fan(double degrees, int triangles = 6) {
+  Fixture f;
+  f.rest.setZero(2, triangles + 2);
+  f.triangles.resize(3, triangles);
+  for (int k = 0; k <= triangles; ++k) {
+    const double angle = degrees / 180 * std::numbers::pi * k / triangles;
+    f.rest.col(k + 1) = Vec2(std::cos(angle), std::sin(angle));
+  }
+  for (int k = 0; k < triangles; ++k) f.triangles.col(k) << 0, k + 1, k + 2;
   return f;
 }
 

@@ -39,6 +39,7 @@ RunSettings settings_of(const Problem& problem) {
   settings.energy.beta = problem.parameters.beta.value_or(Foldless::kBeta);
   settings.energy.delta = problem.parameters.delta;
   settings.energy.barrier_area_weighted = true;
+  settings.energy.gap_weight = Foldless::kGapWeight;
   settings.eta = problem.parameters.eta;
   settings.condition_test = problem.parameters.condition_test;
   settings.diagonal = bounding_box_diagonal(problem.mesh.rest());

@@ -26,6 +26,9 @@ class Foldless final : public SteppedMethod {
  public:
   /// β per unit rest area: independent of the number of triangles, unlike the paper's.
   static constexpr double kBeta = 2;
+  /// κ, the weight of the barrier that keeps boundary vertices from overlapping themselves. What
+  /// comes of it is much the same from a tenth of it to four times as much.
+  static constexpr double kGapWeight = 0.5;
 
   explicit Foldless(Problem problem, const CoarseSettings& dense = {});
 

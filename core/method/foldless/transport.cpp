@@ -33,12 +33,13 @@ constexpr int kMostRounds = 8;
 constexpr double kGainOfARound = 0.8;
 
 /// The energy that forgets the map: rounds every deformed triangle.
-EnergySettings rounding_energy(double delta) {
+EnergySettings rounding_energy(const EnergySettings& scene) {
   EnergySettings settings;
   settings.density = find_density("symmetric-dirichlet");
   settings.alpha = kAlpha;
   settings.beta = 0;
-  settings.delta = delta;
+  settings.delta = scene.delta;
+  settings.gap_weight = scene.gap_weight;
   settings.barrier_area_weighted = true;
   settings.reference = Reference::equilateral;
   return settings;
@@ -194,7 +195,7 @@ Steps<Progress> go_on_in_rounds(Workspace& work, Progress progress) {
 
 Steps<Progress> transport(Workspace& work, TransportPlan plan) {
   using namespace transporting;
-  Energy energy{rounding_energy(work.settings->energy.delta), work.constraints};
+  Energy energy{rounding_energy(work.settings->energy), work.constraints};
   Strides strides(work, plan);
   FlippingDescent descent(FactorUse::own);
   Carrier carrier{work, strides, energy, descent};

@@ -73,7 +73,7 @@ bool Workspace::snap(const EnergySettings& energy) {
   }
   const Points step = u - mesh.deformed();
   const Objective& objective = system.objective();
-  if (objective.largest_step(energy.delta, mesh.deformed(), step) <= 1) return false;
+  if (objective.largest_step(energy, mesh.deformed(), step) <= 1) return false;
   const Energy held_handles{energy, held(constraints)};
   const double before = objective.value(held_handles, mesh.deformed()).total();
   if (!(objective.value(held_handles, u).total() <= workspace::kGrowthOfASnap * before))

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace foldless {
 namespace {
 
@@ -53,6 +55,20 @@ TEST(Summaries, WhatIsFoldedOrTooLateIsNotReached) {
   const auto summaries = summaries_of(std::vector{folded, late});
   EXPECT_EQ(summaries[0].reached, 0);
   EXPECT_EQ(summaries[0].invalid, 1);
+}
+
+TEST(RowsTable, TellsOtherProgramsHowManyBoundaryVerticesOverlap) {
+  BenchRow row = row_of("a", "first", 1, true);
+  row.overlapping_boundary_vertices = 3;
+  const std::string csv = rows_csv_table(std::vector{row}).csv();
+  EXPECT_NE(csv.find(",overlapping_boundary_vertices,note\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",3,\n"), std::string::npos) << csv;
+  const JsonNode rows = rows_node(std::vector{row});
+  const auto& object = *rows.as<JsonNode::Array>()->front().as<JsonNode::Object>();
+  const auto field =
+      std::ranges::find(object, "overlapping_boundary_vertices", &JsonNode::Member::key);
+  ASSERT_NE(field, object.end());
+  EXPECT_EQ(*field->value.as<double>(), 3);
 }
 
 TEST(DifficultyTable, CountsByDifficultyAndMethod) {

@@ -70,6 +70,7 @@ TEST(Baselines, BoundedConformalKeepsItsBound) {
     EXPECT_LE(report["conformal_distortion"]["max"].get<double>(), 8 * (1 + 1e-4));
     EXPECT_EQ(report["folded"], 0);
     EXPECT_EQ(report["branch_vertices"], 0);
+    EXPECT_TRUE(report["overlapping_boundary_vertices"].is_number());
     EXPECT_FALSE(report.contains("verdict"));
   }
 }

@@ -135,6 +135,23 @@ TEST(Check, SeesAVertexThatIsCoveredTwice) {
   EXPECT_EQ(line["branch_vertices"], 1);
 }
 
+TEST(Check, SeesABoundaryVertexThatOverlapsItself) {
+  const TemporaryFolder folder;
+  const test::Fixture fan = test::open_fan(300);
+  write_mesh(folder / "rest.obj", fan.triangles, fan.rest);
+  write_mesh(folder / "round.obj", fan.triangles, test::open_fan(400).rest);
+  const Ended ended = test::run({"check", folder / "rest.obj", folder / "round.obj"});
+  EXPECT_EQ(ended.status, 1);
+  const json line = json::parse(ended.out);
+  EXPECT_EQ(line["flipped"], 0);
+  EXPECT_EQ(line["branch_vertices"], 0);
+  EXPECT_EQ(line["overlapping_boundary_vertices"], 1);
+  EXPECT_EQ(line["rest_overlapping_boundary_vertices"], 0);
+  EXPECT_EQ(line["locally_injective"], false);
+  EXPECT_EQ(line["problems"][0],
+            "1 boundary vertices overlap themselves in the deformed mesh, first vertex 0");
+}
+
 TEST(Render, DrawsScenesFoldersAndPairs) {
   const TemporaryFolder folder;
   write_scene(folder / "scene.json", grid_problem(5, Vec2(3, 3)));

@@ -104,6 +104,7 @@ TEST(Solve, ReportHasEveryKeyAndAgreesWithTheMeshes) {
   EXPECT_EQ(report["method"], "foldless");
   EXPECT_EQ(report["vertices"], 36);
   EXPECT_EQ(report["inverted"], 0);
+  EXPECT_EQ(report["overlapping_boundary_vertices"], 0);
   EXPECT_EQ(report["satisfied"], true);
   EXPECT_GT(report["flips"], 0);
   const Vec2 reached = read_mesh(folder / "out/deformed.obj").points.col(35);

@@ -20,6 +20,10 @@ MeshPair bent_grid(int n) {
   return {grid.triangles, grid.rest, deformed};
 }
 
+int overlaps(const MeshPair& mesh) {
+  return static_cast<int>(overlapping_boundary_vertices(mesh.triangles(), mesh.deformed()).size());
+}
+
 int shared_corners(const Eigen::Vector3i& a, const Eigen::Vector3i& b) {
   int count = 0;
   for (const int v : a) count += (b.array() == v).any() ? 1 : 0;
@@ -81,6 +85,26 @@ TEST(InsertVertex, DoesNotSplitWhatRoundingWouldFold) {
   const int v = insert_vertex(mesh, 0, {0.4, 0.3, 0.3}, kDelta);
   EXPECT_LT(v, 4);
   EXPECT_EQ(mesh.face_count(), 2);
+}
+
+TEST(InsertVertex, NoSplitClosesANarrowGapAtTheBoundary) {
+  // The gap is a few units in the last place wide: where a split of its edges rounds to matters.
+  int inserted = 0;
+  for (int k = 0; k < 200; ++k) {
+    SCOPED_TRACE(k);
+    const Fixture fan = open_fan(300);
+    Points narrow = open_fan(360).rest;
+    narrow.col(7) = Vec2(0.9 + 1e-4 * k, -1e-16);
+    MeshPair mesh(fan.triangles, fan.rest, narrow);
+    ASSERT_EQ(overlaps(mesh), 0);
+    const double t = 0.1 + 0.004 * k;
+    const int vertex = insert_vertex(
+        mesh, k % 2 == 0 ? 0 : 5,
+        k % 2 == 0 ? Eigen::Vector3d(1 - t, t, 0) : Eigen::Vector3d(1 - t, 0, t), kDelta);
+    inserted += vertex == 8;
+    EXPECT_EQ(overlaps(mesh), 0);
+  }
+  EXPECT_GT(inserted, 10);
 }
 
 }  // namespace

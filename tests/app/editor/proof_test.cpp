@@ -67,5 +67,15 @@ TEST(Proof, SeesAVertexThatIsWoundTwice) {
   EXPECT_EQ(fold_words(proof), "This map folds: 1 vertex is wound twice");
 }
 
+TEST(Proof, SeesABoundaryVertexThatOverlapsItself) {
+  const Fixture fan = open_fan(300);
+  EXPECT_TRUE(proof_of(pose_of(fan, fan.rest)).holds());
+  const Proof proof = proof_of(pose_of(fan, open_fan(400).rest));
+  EXPECT_EQ(proof.overlapping_boundary_vertices, 1);
+  EXPECT_FALSE(proof.holds());
+  EXPECT_FALSE(proof.folds()) << "such a map may be kept";
+  EXPECT_EQ(fold_words(proof), "1 boundary vertex overlaps itself");
+}
+
 }  // namespace
 }  // namespace foldless::test

@@ -76,8 +76,8 @@ TEST_F(RaceTest, LanesEndWithTheirOutcome) {
     EXPECT_TRUE(lane->is_at_targets());
     EXPECT_TRUE(lane->words().starts_with("Converged after ")) << lane->words();
     EXPECT_EQ(convergence_letter(*lane), "G");
-    EXPECT_TRUE(
-        is_injective(*lane->shown()->triangles, *lane->shown()->rest, lane->shown()->deformed));
+    EXPECT_TRUE(is_injective_inside(*lane->shown()->triangles, *lane->shown()->rest,
+                                    lane->shown()->deformed));
   }
   EXPECT_EQ(race().status().kind, StatusKind::converged);
 }

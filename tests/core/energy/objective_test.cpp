@@ -100,13 +100,15 @@ TEST(Objective, IsInfiniteOutsideTheFeasibleSetEvenWithoutABarrier) {
 TEST(Objective, TheStepBoundIsWhereTheFirstTriangleReachesItsSmallestArea) {
   const auto f = test::hexagon();
   const MeshPair mesh(f.triangles, f.rest);
-  const double delta = 0.1;
+  EnergySettings settings;
+  const double delta = settings.delta = 0.1;
   const Objective objective(mesh, {});
   Points step = Points::Zero(2, 7);
   step.col(0) = Vec2(0, 1);
   // The height of the triangle above shrinks from √3/2; its area bound is δ of it.
-  EXPECT_NEAR(objective.largest_step(delta, f.rest, step), std::sqrt(3) / 2 * (1 - delta), 1e-12);
-  EXPECT_TRUE(std::isinf(objective.largest_step(delta, f.rest, Points::Zero(2, 7))));
+  EXPECT_NEAR(objective.largest_step(settings, f.rest, step), std::sqrt(3) / 2 * (1 - delta),
+              1e-12);
+  EXPECT_TRUE(std::isinf(objective.largest_step(settings, f.rest, Points::Zero(2, 7))));
 }
 
 /// The grid under an affine map: every triangle has the same J.
@@ -221,8 +223,8 @@ TEST(Objective, FollowsFlipsAsIfItWereNew) {
   way.col(8) = Vec2(1, 2);
   EXPECT_EQ(objective.pull_of_handles(e.settings, mesh.deformed(), way),
             anew.pull_of_handles(e.settings, mesh.deformed(), way));
-  EXPECT_EQ(objective.largest_step(0.1, mesh.deformed(), way),
-            anew.largest_step(0.1, mesh.deformed(), way));
+  EXPECT_EQ(objective.largest_step(e.settings, mesh.deformed(), way),
+            anew.largest_step(e.settings, mesh.deformed(), way));
 }
 
 }  // namespace

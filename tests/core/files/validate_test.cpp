@@ -192,6 +192,27 @@ TEST(Validate, NamesTheFaceThatATriangleWasCutFrom) {
   EXPECT_TRUE(error.starts_with("a.obj:7: face 2 (vertices 2 3 5) is clockwise")) << error;
 }
 
+TEST(Validate, RefusesAMeshThatOverlapsItselfAtABoundaryVertex) {
+  const test::Fixture open = test::open_fan(359), round = test::open_fan(400);
+  EXPECT_TRUE(checked(obj_text(open.triangles, open.rest)).notices.empty());
+  const std::string error = error_in_mesh(obj_text(round.triangles, round.rest));
+  EXPECT_NE(error.find("vertex 1 overlaps itself: its angles add up to a full turn or more"),
+            error.npos)
+      << error;
+  EXPECT_NE(error.find("open the gap"), error.npos) << error;
+}
+
+TEST(Validate, DeformedPositionsMayOverlapAtTheBoundaryWhereThatIsAllowed) {
+  const test::Fixture round = test::open_fan(400);
+  MeshSource source;
+  source.name = "a.obj";
+  EXPECT_NE(error_of([&] { check_positions(round.triangles, round.rest, source); }), "");
+  EXPECT_EQ(error_of([&] {
+              check_positions(round.triangles, round.rest, source, BoundaryOverlaps::allowed);
+            }),
+            "");
+}
+
 TEST(Validate, KeepsUnreferencedVerticesWithANotice) {
   const TriangleSoup mesh = checked("v 9 9\n" + kSquare + "v 8 8\nf 2 3 4\nf 2 4 5\n");
   EXPECT_EQ(mesh.points.cols(), 6);

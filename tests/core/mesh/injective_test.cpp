@@ -79,10 +79,13 @@ TEST(Injective, AcceptsFansWithVerticesOnTheRay) {
     }
 }
 
-TEST(Injective, AllowsABoundaryVertexWoundMoreThanOnce) {
+TEST(Injective, NamesABoundaryVertexWoundMoreThanOnce) {
   test::Fixture f = fan(9, 2, 0.1);
   f.triangles.conservativeResize(Eigen::NoChange, 8);  // an open fan of 1.8 turns
-  EXPECT_TRUE(is_injective(f.triangles, f.rest));
+  const InjectivityReport report = check_injectivity(f.triangles, f.rest);
+  EXPECT_EQ(report.overlapping_boundary_vertices, std::vector<int>{0});
+  EXPECT_TRUE(report.is_injective_inside());
+  EXPECT_FALSE(is_injective(f.triangles, f.rest));
 }
 
 TEST(Injective, AsksBothMeshesOfAPair) {

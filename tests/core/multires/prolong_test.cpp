@@ -9,6 +9,7 @@
 #include "core/mesh/generate.h"
 #include "core/mesh/injective.h"
 #include "tests/support/meshes.h"
+#include "tests/support/notched_disk.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/random_vector.h"
 #include "tests/support/spiral.h"
@@ -183,6 +184,16 @@ TEST(Prolonged, IsNothingWhereTheCoarseMapFolds) {
   Points u = coarse.mesh.rest();
   u.col(inside) += Vec2(2, 0);
   coarse.mesh.set_deformed(u);
+  EXPECT_FALSE(prolonged(coarse, fine, energy()));
+}
+
+TEST(Prolonged, IsNothingWhereABoundaryVertexOfTheCoarseMapOverlapsItself) {
+  const test::Fixture f = test::notched_disk(0.4);
+  const MeshPair fine(f.triangles, f.rest);
+  CoarseMesh coarse = coarsened(fine, {}, fine.vertex_count());
+  coarse.mesh.set_deformed(test::with_notch(f.rest, 0.4, 0.1));
+  ASSERT_TRUE(prolonged(coarse, fine, energy()));
+  coarse.mesh.set_deformed(test::with_notch(f.rest, 0.4, -0.1));
   EXPECT_FALSE(prolonged(coarse, fine, energy()));
 }
 

@@ -159,11 +159,40 @@ TEST(CollapseEdges, MakesNoEdgeTwice) {
   triangles << 9, 9, 9, 9, 0, 0, 0, 0, 1, 1, 1,  //
       0, 2, 1, 3, 3, 4, 5, 6, 6, 7, 8,           //
       2, 1, 3, 0, 4, 5, 6, 1, 7, 8, 3;
+  // Vertices 0 and 1 are at the boundary and more than a full turn: so it has to be.
   MeshPair mesh(triangles, points);
-  ASSERT_TRUE(is_valid(mesh));
+  ASSERT_TRUE(is_injective_inside(mesh.triangles(), points, points));
   ASSERT_EQ(collapse_edges(mesh, from(9)), 1);
   EXPECT_TRUE(mesh.find_edge(2, 3).has_value());
+  EXPECT_TRUE(is_injective_inside(mesh.triangles(), mesh.rest(), mesh.deformed()));
+}
+
+// Round vertex 0 from its boundary neighbour 1 to 5, with a split of the edge 0–1 that is bent up:
+// without it the edge goes straight to `end`, which may be beyond 5.
+MeshPair bent_lip(const Vec2& end) {
+  Points rest(2, 6);
+  rest << 0, 2, 0.5, -1, -0.5, 1,  //
+      0, 0.5, 1.5, 0.5, -1.5, -0.125;
+  Triangles triangles(3, 4);
+  triangles << 0, 0, 0, 0,  //
+      1, 2, 3, 4,           //
+      2, 3, 4, 5;
+  MeshPair mesh(triangles, rest);
+  const int bend = mesh.split_edge(mesh.find_edge(0, 1).value(), 0.25);
+  Points u = mesh.rest();
+  u.col(1) = end;
+  u.col(bend) = Vec2(0.5, 0.15);
+  mesh.set_deformed(u);
   EXPECT_TRUE(is_valid(mesh));
+  return mesh;
+}
+
+TEST(CollapseEdges, AVertexOfTheBoundaryStaysWhereANeighbourWouldOverlapItself) {
+  MeshPair open = bent_lip({2, 0.3}), crossed = bent_lip({2, -0.5}), closed = bent_lip({2, -0.25});
+  EXPECT_EQ(collapse_edges(open, from(6)), 1);
+  EXPECT_TRUE(is_valid(open));
+  EXPECT_EQ(collapse_edges(crossed, from(6)), 0);
+  EXPECT_EQ(collapse_edges(closed, from(6)), 0);
 }
 
 TEST(CollapseEdges, TheEnergyBoundsWhatGoes) {

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "core/mesh/injective.h"
 #include "tests/core/remesh/one_ring.h"
 #include "tests/support/meshes.h"
+#include "tests/support/notched_disk.h"
 
 namespace foldless {
 namespace {
@@ -44,6 +46,22 @@ TEST(SplitEdges, LetsTheVertexPastTwoComponents) {  // Figure 16 (b)
   ASSERT_EQ(split_edges(mesh, {{0, kEast}}, {}), 3);
   // New vertices on 0–4, 0–6 and 0–7, moved off the line to the side that 0 came from.
   EXPECT_TRUE(is_free_at(mesh, {1, 0}, {{0.8, 2}, {0.6, -3}, {0.9, -1.2}}));
+}
+
+TEST(SplitEdges, LeaveTheNarrowestGapsAtTheBoundaryOpen) {
+  for (double gap = 1; gap > 1e-9; gap /= 10)
+    for (const double turn : {0.0, 0.7, 2.0, 3.9}) {
+      SCOPED_TRACE(testing::Message() << "gap " << gap << " turned by " << turn);
+      const test::Fixture f = test::notched_disk(1);
+      const Mat2 rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
+      const Points u = rotation * test::with_notch(f.rest, 1, gap);
+      MeshPair mesh(f.triangles, f.rest, u.colwise() + Vec2(0.3, -0.7));
+      ASSERT_TRUE(is_injective(mesh.triangles(), mesh.rest(), mesh.deformed()));
+      for (const int round : {1, 2}) {
+        EXPECT_GT(split_all_edges(mesh, {}), 20) << round;
+        EXPECT_TRUE(is_injective(mesh.triangles(), mesh.rest(), mesh.deformed())) << round;
+      }
+    }
 }
 
 TEST(SplitEdges, DoesNotChangeTheMap) {

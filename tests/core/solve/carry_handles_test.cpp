@@ -82,7 +82,8 @@ TEST(CarryHandles, NeverFoldsHoweverOftenTheyPressAgainstWhatIsInTheWay) {
     for (int step = 0; step < 100; ++step) {
       if (step % 25 == 0) c.energy.constraints.targets.col(1) = test::random_vector(unit, random);
       pressed += carry_handles(system, c.mesh, c.energy, {}).step_length < 1e-6;
-      ASSERT_TRUE(is_injective(c.mesh.triangles(), c.mesh.deformed())) << "step " << step;
+      ASSERT_TRUE(is_injective_inside(c.mesh.triangles(), c.mesh.rest(), c.mesh.deformed()))
+          << "step " << step;
     }
   }
   EXPECT_GT(pressed, 30) << "the claim would be empty";

@@ -13,7 +13,7 @@
 namespace foldless {
 namespace {
 
-constexpr int kMostSteps = 400;
+constexpr int kMostPursuitSteps = 400;
 
 using test::is_valid;
 
@@ -112,7 +112,7 @@ TEST(Pursue, IsValidOnRandomDragsWhateverIsCancelledAndExactlyHomeWhenItSaysSo) 
         }
       }
     }
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostPursuitSteps; ++step) {
       const auto iteration = hand.method->step({});
       if (!iteration) break;
       phases.insert(iteration->phase);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/method/foldless/workspaces.h"
+#include "tests/support/notched_disk.h"
 #include "tests/support/random_vector.h"
 #include "tests/support/valid_pair.h"
 
@@ -31,8 +32,7 @@ TEST(Workspace, SnapsExactlyWhereNoTriangleFoldsAndTheEnergyGrowsByLessThanHalf)
     Points u = before;
     u(Eigen::all, work.constraints.vertices) = work.constraints.targets;
     const Objective& objective = work.system.objective();
-    const double delta = own.settings.energy.delta;
-    const bool folds = objective.largest_step(delta, before, u - before) <= 1;
+    const bool folds = objective.largest_step(own.settings.energy, before, u - before) <= 1;
     const Energy energy = work.held_energy();
     const double E = objective.value(energy, before).total();
     const bool grows = !folds && objective.value(energy, u).total() > 1.5 * E;
@@ -45,6 +45,26 @@ TEST(Workspace, SnapsExactlyWhereNoTriangleFoldsAndTheEnergyGrowsByLessThanHalf)
   }
   EXPECT_GE(std::min({snapped, folded, grown}), 4)
       << "the claim would be empty: " << snapped << ' ' << folded << ' ' << grown;
+}
+
+TEST(Workspace, DoesNotSnapWhereAGapAtTheBoundaryWouldClose) {
+  const test::Fixture f = test::notched_disk(0.4);
+  const MeshPair mesh(f.triangles, f.rest);
+  std::vector<Handle> handles;
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    handles.push_back({.id = v, .vertex = v, .target = f.rest.col(v)});
+  OwnWorkspace own = test::workspace_of(mesh, handles);
+  Workspace& work = own.work;
+  const Points open = test::with_notch(f.rest, 0.4, 0.02);
+  work.mesh.set_deformed(open);
+  work.constraints.targets = test::with_notch(f.rest, 0.4, -0.02);
+  EXPECT_FALSE(work.snap(own.settings.energy));
+  EXPECT_EQ(work.mesh.deformed(), open);
+  work.constraints.targets = test::with_notch(f.rest, 0.4, 0.015);
+  EXPECT_TRUE(work.snap(own.settings.energy));
+  own.settings.energy.gap_weight = 0;
+  work.constraints.targets = test::with_notch(f.rest, 0.4, -0.02);
+  EXPECT_TRUE(work.snap(own.settings.energy)) << "nothing else speaks against it";
 }
 
 TEST(Workspace, SoftHandlesAreNotSnapped) {

@@ -7,6 +7,7 @@
 
 #include "core/energy/densities.h"
 #include "core/mesh/generate.h"
+#include "core/method/foldless/foldless.h"
 #include "core/method/foldless/workspace.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/random_vector.h"
@@ -31,6 +32,7 @@ inline RunSettings run_settings(const Density* density, const MeshPair& mesh) {
   RunSettings settings;
   settings.energy = {.density = density, .beta = 2, .delta = 1e-5};
   settings.energy.barrier_area_weighted = true;
+  settings.energy.gap_weight = Foldless::kGapWeight;
   settings.first_removable = mesh.vertex_count();
   return settings;
 }
@@ -54,7 +56,7 @@ inline OwnWorkspace arrived_workspace(std::uint64_t seed, int splits = 0) {
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     Points step = Points::Zero(2, mesh.vertex_count());
     step.col(v) = 0.3 * (random_vector(unit, random) - Vec2(0.5, 0.5));
-    const double largest = objective.largest_step(settings.energy.delta, mesh.deformed(), step);
+    const double largest = objective.largest_step(settings.energy, mesh.deformed(), step);
     mesh.set_deformed(mesh.deformed() + std::min(1.0, 0.7 * largest) * step);
   }
   return {mesh, with_targets(constraints, handle_positions(constraints, mesh.deformed())),

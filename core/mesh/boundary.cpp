@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/boundary.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace foldless {
+namespace boundary {
+
+/// Calls visit(v, a, b) for every corner of a counter-clockwise triangle.
+template <typename Visit>
+void for_each_corner(const Eigen::Vector3i& t, const Visit& visit) {
+  visit(t[0], t[1], t[2]);
+  visit(t[1], t[2], t[0]);
+  visit(t[2], t[0], t[1]);
+}
+
+}  // namespace boundary
+
+BoundaryNeighbours LinkEnds::neighbours() const {
+  if (difference_ == 0) return {};
+  const std::int64_t sum = static_cast<std::int64_t>(difference_of_squares_) / difference_;
+  return {static_cast<int>((sum + difference_) / 2), static_cast<int>((sum - difference_) / 2)};
+}
+
+std::vector<BoundaryNeighbours> boundary_neighbours(const Triangles& triangles, int vertex_count) {
+  std::vector<LinkEnds> ends(static_cast<std::size_t>(vertex_count));
+  for (const auto& t : triangles.colwise())
+    boundary::for_each_corner(
+        t, [&](int v, int a, int b) { ends[static_cast<std::size_t>(v)].add(a, b); });
+  std::vector<BoundaryNeighbours> neighbours(ends.size());
+  std::ranges::transform(ends, neighbours.begin(), &LinkEnds::neighbours);
+  return neighbours;
+}
+
+bool overlaps_itself(int v, std::span<const Eigen::Vector3i> triangles, const Points& points) {
+  LinkEnds ends;
+  const auto for_each_of_v = [&](const auto& visit) {
+    for (const Eigen::Vector3i& t : triangles)
+      boundary::for_each_corner(t, [&](int corner, int a, int b) {
+        if (corner == v) visit(a, b);
+      });
+  };
+  for_each_of_v([&](int a, int b) { ends.add(a, b); });
+  const BoundaryNeighbours neighbours = ends.neighbours();
+  bool overlaps = false;
+  for_each_of_v([&](int a, int b) {
+    overlaps = overlaps ||
+               (neighbours.are_there() && comes_round_to_next(points, v, a, b, neighbours.next));
+  });
+  return overlaps;
+}
+
+}  // namespace foldless

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/mesh/orientation.h"
+#include "core/mesh/triangle.h"
+
+namespace foldless {
+
+/// The neighbours of a boundary vertex v along the boundary, which runs from `previous` over v to
+/// `next` with the mesh on its left: the triangles at v fill the angle from `next`,
+/// counter-clockwise, to `previous`. Flips of edges change neither.
+struct BoundaryNeighbours {
+  int next = -1, previous = -1;  ///< −1: v is not at the boundary
+  bool are_there() const { return next >= 0; }
+};
+
+/// The ends of a chain of link edges, found without their order: over the edges (a, b) of the chain
+/// from n to p the sums of a − b and a² − b² are n − p and n² − p².
+class LinkEnds {
+ public:
+  /// Of the counter-clockwise triangle (v, a, b).
+  void add(int a, int b) {
+    const auto square = [](int i) {
+      return static_cast<std::uint64_t>(i) * static_cast<std::uint64_t>(i);
+    };
+    difference_ += a - b;
+    difference_of_squares_ += square(a) - square(b);
+  }
+  /// None where the chain is closed, or empty.
+  BoundaryNeighbours neighbours() const;
+
+ private:
+  std::int64_t difference_ = 0;
+  std::uint64_t difference_of_squares_ = 0;  ///< unsigned, so that sums on the way may wrap
+};
+
+/// Those of every vertex. Precondition: oriented manifold triangles with indices in
+/// [0, vertex_count). O(#V + #F).
+std::vector<BoundaryNeighbours> boundary_neighbours(const Triangles& triangles, int vertex_count);
+
+/// True when the counter-clockwise triangle (v, a, b) at a boundary vertex holds the edge to `next`
+/// as its last side or behind its first: with all triangles at v counter-clockwise one of them does
+/// exactly when their angles add up to 2π or more. Exact.
+inline bool comes_round_to_next(const Points& points, int v, int a, int b, int next) {
+  return orientation(points, {v, a, next}) > 0 && orientation(points, {v, next, b}) >= 0;
+}
+
+/// Whether the angles at v add up to 2π or more, from all of its triangles: it then overlaps
+/// itself, or closes the gap between its two boundary edges. Never at an interior vertex.
+/// Precondition: they are counter-clockwise. Exact.
+bool overlaps_itself(int v, std::span<const Eigen::Vector3i> triangles, const Points& points);
+
+}  // namespace foldless
