@@ -5,14 +5,20 @@
 
 #include <chrono>
 #include <cstring>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 #include "app/editor/edits.h"
 #include "app/gui/race_layout.h"
+#include "core/energy/densities.h"
 #include "core/files/atomic_file.h"
 #include "core/mesh/generate.h"
+#include "core/mesh/injective.h"
+#include "core/scene/scene_io.h"
 #include "render/theme.h"
 #include "tests/app/gui/headless_editor.h"
+#include "tests/support/meshes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
@@ -222,6 +228,30 @@ TEST_F(Compare, TheBadgeTurnsYellowWhereAMapFolds) {
   headless_.calm_down();
   ASSERT_FALSE(editor().proof().holds());
   EXPECT_GT(pixels_of(yellow, bar), 1000);
+}
+
+TEST_F(Compare, AMapThatOverlapsAtTheBoundaryIsYellowAndMayBeKept) {
+  const Fixture fan = open_fan(300);
+  Scene scene;
+  scene.triangles = fan.triangles;
+  scene.rest = fan.rest;
+  scene.energy = find_density("arap");
+  scene.parameters.method = "lim";
+  scene.state = SceneState{fan.triangles, fan.rest, open_fan(400).rest};
+  const TemporaryFolder folder;
+  save_scene(scene, folder / "fan.json");
+  ASSERT_TRUE(editor().save_as(folder / "bar.json"));
+  editor().open(folder / "fan.json");
+  headless_.calm_down();
+  EXPECT_EQ(editor().proof().overlapping_boundary_vertices, 1);
+  EXPECT_FALSE(editor().proof().folds());
+  const glm::vec4 yellow(0xFF / 255.0F, 0xD8 / 255.0F, 0x4D / 255.0F, 1);
+  EXPECT_GT(pixels_of(yellow, headless_.ui().layout().status_bar), 1000);
+  ASSERT_TRUE(editor().save_as(folder / "kept.json"));
+  const std::vector<std::string_view> methods{"lim"};
+  const Scene kept = load_scene(folder / "kept.json", methods).scene;
+  ASSERT_TRUE(kept.state);
+  EXPECT_EQ(overlapping_boundary_vertices(kept.state->triangles, kept.state->deformed).size(), 1U);
 }
 
 }  // namespace
