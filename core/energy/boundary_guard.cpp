@@ -2,40 +2,20 @@
 #include "core/energy/boundary_guard.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <limits>
 
 #include "core/energy/quadratic.h"
 
 namespace foldless {
 
-namespace boundary_guard {
-
-/// By vertex; nothing is asked of interior ones, of which there are far more.
-std::vector<bool> overlaps_of(const Triangles& triangles,
-                              const std::vector<BoundaryNeighbours>& neighbours,
-                              std::initializer_list<const Points*> meshes) {
-  std::vector<bool> overlaps(neighbours.size(), false);
-  for (const auto& t : triangles.colwise())
-    for (int corner = 0; corner < 3; ++corner) {
-      const auto v = static_cast<std::size_t>(t[corner]);
-      if (!neighbours[v].are_there()) continue;
-      for (const Points* points : meshes)
-        if (comes_round_to_next(*points, t[corner], t[(corner + 1) % 3], t[(corner + 2) % 3],
-                                neighbours[v].next))
-          overlaps[v] = true;
-    }
-  return overlaps;
-}
-
-}  // namespace boundary_guard
-
 BoundaryGuard::BoundaryGuard(const MeshPair& mesh)
     : gap_of_(static_cast<std::size_t>(mesh.vertex_count()), -1) {
   const std::vector<BoundaryNeighbours> neighbours =
       boundary_neighbours(mesh.triangles(), mesh.vertex_count());
-  const std::vector<bool> overlaps =
-      boundary_guard::overlaps_of(mesh.triangles(), neighbours, {&mesh.rest(), &mesh.deformed()});
+  std::vector<bool> overlaps(neighbours.size(), false);
+  for (const auto& t : mesh.triangles().colwise())
+    for (const Points* points : {&mesh.rest(), &mesh.deformed()})
+      mark_overlaps(t, *points, neighbours, overlaps);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     const auto i = static_cast<std::size_t>(v);
     if (!neighbours[i].are_there() || overlaps[i]) continue;

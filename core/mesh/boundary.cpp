@@ -15,6 +15,13 @@ void for_each_corner(const Eigen::Vector3i& t, const Visit& visit) {
   visit(t[2], t[0], t[1]);
 }
 
+/// True when the counter-clockwise triangle t = (v, a, b) holds the edge to `next` as its last side
+/// or behind its first.
+bool comes_round_to_next(const Points& points, const Eigen::Vector3i& t, int next) {
+  return orientation(points, {t[0], t[1], next}) > 0 &&
+         orientation(points, {t[0], next, t[2]}) >= 0;
+}
+
 }  // namespace boundary
 
 BoundaryNeighbours LinkEnds::neighbours() const {
@@ -33,6 +40,16 @@ std::vector<BoundaryNeighbours> boundary_neighbours(const Triangles& triangles, 
   return neighbours;
 }
 
+void mark_overlaps(const Eigen::Vector3i& triangle, const Points& points,
+                   const std::vector<BoundaryNeighbours>& neighbours, std::vector<bool>& overlaps) {
+  boundary::for_each_corner(triangle, [&](int v, int a, int b) {
+    const auto i = static_cast<std::size_t>(v);
+    if (neighbours[i].are_there() &&
+        boundary::comes_round_to_next(points, {v, a, b}, neighbours[i].next))
+      overlaps[i] = true;
+  });
+}
+
 bool overlaps_itself(int v, std::span<const Eigen::Vector3i> triangles, const Points& points) {
   LinkEnds ends;
   const auto for_each_of_v = [&](const auto& visit) {
@@ -45,8 +62,8 @@ bool overlaps_itself(int v, std::span<const Eigen::Vector3i> triangles, const Po
   const BoundaryNeighbours neighbours = ends.neighbours();
   bool overlaps = false;
   for_each_of_v([&](int a, int b) {
-    overlaps = overlaps ||
-               (neighbours.are_there() && comes_round_to_next(points, v, a, b, neighbours.next));
+    overlaps = overlaps || (neighbours.are_there() &&
+                            boundary::comes_round_to_next(points, {v, a, b}, neighbours.next));
   });
   return overlaps;
 }

@@ -42,12 +42,11 @@ class LinkEnds {
 /// [0, vertex_count). O(#V + #F).
 std::vector<BoundaryNeighbours> boundary_neighbours(const Triangles& triangles, int vertex_count);
 
-/// True when the counter-clockwise triangle (v, a, b) at a boundary vertex holds the edge to `next`
-/// as its last side or behind its first: with all triangles at v counter-clockwise one of them does
-/// exactly when their angles add up to 2π or more. Exact.
-inline bool comes_round_to_next(const Points& points, int v, int a, int b, int next) {
-  return orientation(points, {v, a, next}) > 0 && orientation(points, {v, next, b}) >= 0;
-}
+/// Marks, by vertex, the boundary vertices of a counter-clockwise triangle whose angles it takes to
+/// 2π or more; `neighbours` are those of every vertex. With all triangles at a vertex
+/// counter-clockwise one of them does so exactly where it overlaps itself. Exact.
+void mark_overlaps(const Eigen::Vector3i& triangle, const Points& points,
+                   const std::vector<BoundaryNeighbours>& neighbours, std::vector<bool>& overlaps);
 
 /// Whether the angles at v add up to 2π or more, from all of its triangles: it then overlaps
 /// itself, or closes the gap between its two boundary edges. Never at an interior vertex.

@@ -31,18 +31,6 @@ void count_crossings(const Eigen::Vector3i& t, const Points& points, std::vector
   }
 }
 
-/// Marks the boundary vertices whose angle a counter-clockwise triangle takes past a full turn.
-void mark_overlaps(const Eigen::Vector3i& t, const Points& points,
-                   const std::vector<BoundaryNeighbours>& boundary, std::vector<bool>& overlaps) {
-  for (int corner = 0; corner < 3; ++corner) {
-    const int v = t[corner];
-    const BoundaryNeighbours& neighbours = boundary[static_cast<std::size_t>(v)];
-    if (neighbours.are_there() &&
-        comes_round_to_next(points, v, t[kNext[corner]], t[kPrevious[corner]], neighbours.next))
-      overlaps[static_cast<std::size_t>(v)] = true;
-  }
-}
-
 }  // namespace
 
 std::vector<bool> interior_vertices(const Triangles& triangles, int vertex_count) {

@@ -82,7 +82,8 @@ void HandlePaths::find_turns() {
 }
 
 Vec2 HandlePaths::at(int handle, double lambda) const {
-  const Vec2 from = starts_.col(handle), to = targets_.col(handle);
+  const Vec2 from = starts_.col(handle);
+  Vec2 to = targets_.col(handle);
   if (lambda >= 1 || from == to) return to;
   if (kind_ == PathKind::similar) {
     const Complex z = complex(from - start_centre_);

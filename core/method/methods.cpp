@@ -14,14 +14,13 @@ namespace foldless {
 namespace {
 
 template <bool Flips, bool Splits>
-std::unique_ptr<Method> start_remeshing_assisted(Problem problem) {
-  return std::make_unique<RemeshingAssisted>(std::move(problem),
-                                             Remeshing{.flips = Flips, .splits = Splits});
+std::unique_ptr<Method> start_remeshing_assisted(const Problem& problem) {
+  return std::make_unique<RemeshingAssisted>(problem, Remeshing{.flips = Flips, .splits = Splits});
 }
 
 template <typename Kind>
-std::unique_ptr<Method> start(Problem problem) {
-  return std::make_unique<Kind>(std::move(problem));
+std::unique_ptr<Method> start(const Problem& problem) {
+  return std::make_unique<Kind>(problem);
 }
 
 using Names = std::string_view[];

@@ -22,7 +22,7 @@ void PacedRun::end_where_it_throws(const Task& task) {
   run_.reset();
 }
 
-void PacedRun::apply(Inbox messages) {
+void PacedRun::apply(const Inbox& messages) {
   if (messages.mode) {
     mode_ = *messages.mode;
     step_ = messages.step;
@@ -40,7 +40,7 @@ void PacedRun::set_pace(std::optional<double> iterations_per_second) {
         std::chrono::duration<double>(std::min(1 / *iterations_per_second, 3600.0)));
 }
 
-void PacedRun::change_run(Inbox& messages) {
+void PacedRun::change_run(const Inbox& messages) {
   if (messages.load) {
     run_.reset();
     error_.clear();

@@ -30,7 +30,7 @@ class PacedRun {
 
   /// Does what the messages ask for, in the order of Inbox's members; the mode first, which holds
   /// whatever fails after it.
-  void apply(Inbox messages);
+  void apply(const Inbox& messages);
   /// An iteration may begin: the run has no outcome, and it is running or one step is asked for.
   bool can_iterate() const;
   /// When the pace lets the next iteration begin; nothing: at once.
@@ -44,7 +44,7 @@ class PacedRun {
   template <typename Task>
   void end_where_it_throws(const Task& task);
   void set_pace(std::optional<double> iterations_per_second);
-  void change_run(Inbox& messages);
+  void change_run(const Inbox& messages);
 
   const MethodStarter start_;
   std::optional<Run> run_;

@@ -25,9 +25,9 @@ Licence licence_of(std::string_view method) {
 
 }  // namespace
 
-std::unique_ptr<Method> start_method(Problem problem) {
+std::unique_ptr<Method> start_method(const Problem& problem) {
   const std::string& name = problem.parameters.method;
-  if (const MethodRow* row = find_method(name)) return row->start(std::move(problem));
+  if (const MethodRow* row = find_method(name)) return row->start(problem);
   std::string known;
   for (const MethodRow& row : methods())
     known += (known.empty() ? "" : ", ") + std::string(row.name);

@@ -17,10 +17,10 @@
 namespace foldless {
 
 /// Starts a method on a problem whose rest diagonal is about 1.
-using MethodStarter = std::function<std::unique_ptr<Method>(Problem problem)>;
+using MethodStarter = std::function<std::unique_ptr<Method>(const Problem& problem)>;
 
 /// Starts the method that the problem's parameters name. Throws Error when there is none.
-std::unique_ptr<Method> start_method(Problem problem);
+std::unique_ptr<Method> start_method(const Problem& problem);
 
 /// A method on a problem in input units: it solves the active part, normalised, and a Publisher
 /// makes proved snapshots of what it reaches. Where nothing is active the run has ended before it

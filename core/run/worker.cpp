@@ -122,7 +122,7 @@ void Worker::work(const std::stop_token& stopping) {
     if (messages.is_empty()) {
       iterate(token, epoch);
     } else {
-      run_.apply(std::move(messages));
+      run_.apply(messages);
       if (run_.snapshot()) snapshots_.publish(run_.snapshot());
     }
     publish_status();

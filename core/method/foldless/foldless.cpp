@@ -56,8 +56,8 @@ bool is_cancelled(const CoarseStep& step) { return step.cancelled; }
 
 }  // namespace driver
 
-Foldless::Foldless(Problem problem, const CoarseSettings& dense)
-    : problem_(std::move(problem)),
+Foldless::Foldless(const Problem& problem, const CoarseSettings& dense)
+    : problem_(problem),
       dense_(dense),
       settings_(driver::settings_of(problem_)),
       work_(problem_.mesh, constraints_of(problem_.handles), settings_, effort()),
@@ -115,7 +115,7 @@ Steps<Outcome> Foldless::solve(Start start) {
 Steps<> Foldless::coarse_to_fine() {
   std::optional<CoarseProblem> coarse = coarse_problem(problem_, dense_);
   if (!coarse) co_return;
-  Foldless run(std::move(coarse->problem), dense_);
+  Foldless run(coarse->problem, dense_);
   const Effort before = effort();
   const auto next = [&run](const std::stop_token& token) {
     const std::optional<Iteration> record = run.step(token);

@@ -30,7 +30,7 @@ class Foldless final : public SteppedMethod {
   /// comes of it is much the same from a tenth of it to four times as much.
   static constexpr double kGapWeight = 0.5;
 
-  explicit Foldless(Problem problem, const CoarseSettings& dense = {});
+  explicit Foldless(const Problem& problem, const CoarseSettings& dense = {});
 
   std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return work_.mesh; }

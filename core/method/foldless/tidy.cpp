@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/tidy.h"
 
-#include <optional>
 #include <utility>
 
 #include "core/mesh/quality.h"
@@ -29,8 +28,8 @@ constexpr double kLargestDistortionWhenCrowded = 10 * kCrushed;
 constexpr double kRiseOfACrowdedRound = 1;
 constexpr double kLargeExponent = 0.2;
 
-bool is_crowded(const Workspace& work, const MeshPair& mesh) {
-  return mesh.vertex_count() > (1 + kCrowded) * work.settings->first_removable;
+bool is_crowded(const Workspace& work) {
+  return work.mesh.vertex_count() > (1 + kCrowded) * work.settings->first_removable;
 }
 
 /// True when vertices went.
@@ -44,24 +43,19 @@ bool collapse(Workspace& work, bool is_crowded) {
 }
 
 Steps<> collapse_in_rounds(Workspace& work) {
-  std::optional<MeshPair> before;
-  double merit_before = 0;
   for (int round = 0; work.settings->first_removable < work.mesh.vertex_count(); ++round) {
-    const double merit = merit_of(work);
-    if (before) {
-      const double rise = is_crowded(work, *before) ? kRiseOfACrowdedRound : kRiseOfARound;
-      if (!(merit <= (1 + rise) * merit_before)) {
-        work.set_mesh(*std::move(before));
-        co_yield [&](Iteration& last) { work.measure_again(last, work.held_energy()); };
-        co_return;
-      }
-    }
-    const bool crowded = is_crowded(work, work.mesh);
+    const bool crowded = is_crowded(work);
     if (round >= (crowded ? kMostCrowdedRounds : kMostRounds)) co_return;
-    before = work.mesh;
-    merit_before = merit;
+    MeshPair before = work.mesh;
+    const double merit_before = merit_of(work);
     if (!collapse(work, crowded)) co_return;
     co_await settle(work);
+    const double rise = crowded ? kRiseOfACrowdedRound : kRiseOfARound;
+    if (!(merit_of(work) <= (1 + rise) * merit_before)) {
+      work.set_mesh(std::move(before));
+      co_yield [&](Iteration& last) { work.measure_again(last, work.held_energy()); };
+      co_return;
+    }
   }
 }
 

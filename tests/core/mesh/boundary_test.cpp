@@ -12,25 +12,20 @@
 #include "core/mesh/injective.h"
 #include "core/mesh/mesh_pair.h"
 #include "tests/support/meshes.h"
+#include "tests/support/random_vector.h"
 
 namespace foldless {
 namespace {
 
 constexpr long double kPi = std::numbers::pi_v<long double>;
 
-/// Triangles round vertex 0, open, whose angles add up to `angle`; the rim has vertices 1, 2, ….
-test::Fixture open_fan(double angle, int triangles, std::mt19937& random) {
+/// The fan somewhere, turned, with sides of other lengths.
+test::Fixture random_fan(double angle, int triangles, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
-  test::Fixture f;
-  f.rest.resize(2, triangles + 2);
-  f.rest.col(0) = Vec2(unit(random), unit(random));
-  f.triangles.resize(3, triangles);
-  const double start = 7 * unit(random);
-  for (int k = 0; k <= triangles; ++k) {
-    const double at = start + angle * k / triangles;
-    f.rest.col(k + 1) = f.rest.col(0) + (0.1 + unit(random)) * Vec2(std::cos(at), std::sin(at));
-  }
-  for (int k = 0; k < triangles; ++k) f.triangles.col(k) << 0, k + 1, k + 2;
+  test::Fixture f = test::open_fan(angle / std::numbers::pi * 180, triangles);
+  f.rest = Eigen::Rotation2Dd(7 * unit(random)).toRotationMatrix() * f.rest;
+  for (int k = 1; k < f.rest.cols(); ++k) f.rest.col(k) *= 0.1 + unit(random);
+  f.rest.colwise() += test::random_vector(unit, random);
   return f;
 }
 
@@ -103,7 +98,7 @@ TEST(Boundary, OverlapsAreWhereTheAnglesAddUpToAFullTurn) {
   for (int i = 0; i < 4000; ++i) {
     const double angle = (0.2 + 5.6 * unit(random)) * std::numbers::pi;
     const int least = static_cast<int>(angle / 3) + 1;
-    const test::Fixture f = open_fan(angle, least + static_cast<int>(random() % 9), random);
+    const test::Fixture f = random_fan(angle, least + static_cast<int>(random() % 9), random);
     const long double sum = angle_sum(f, 0);
     ASSERT_NEAR(static_cast<double>(sum), angle, 1e-9);
     if (std::abs(sum - 2 * kPi) < 1e-9L) continue;
@@ -125,7 +120,7 @@ TEST(Boundary, OverlapsAreWhereTheAnglesAddUpToAFullTurn) {
 TEST(Boundary, AGapThatIsClosedCountsAsOverlapAndTheNarrowestOpenOneDoesNot) {
   const Vec2 v(0.5, -0.25), first(1, 0.5);
   std::mt19937 random(3);
-  test::Fixture f = open_fan(6, 8, random);
+  test::Fixture f = random_fan(6, 8, random);
   f.rest.col(0) = v;
   for (int k = 0; k < 8; ++k)
     f.rest.col(k + 1) =
@@ -142,7 +137,7 @@ TEST(Boundary, AGapThatIsClosedCountsAsOverlapAndTheNarrowestOpenOneDoesNot) {
 
 TEST(Boundary, VerticesWithAFoldedTriangleAreNotCounted) {
   std::mt19937 random(5);
-  test::Fixture f = open_fan(5 * std::numbers::pi, 12, random);
+  test::Fixture f = random_fan(5 * std::numbers::pi, 12, random);
   ASSERT_EQ(overlapping_boundary_vertices(f.triangles, f.rest).size(), 1u);
   f.rest.col(4) = f.rest.col(0) - (f.rest.col(4) - f.rest.col(0));
   ASSERT_GT(check_injectivity(f.triangles, f.rest).inverted, 0);

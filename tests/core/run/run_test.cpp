@@ -38,9 +38,9 @@ TEST(Run, BeginsWithTheMeshOfTheProblemBitForBit) {
 }
 
 TEST(Run, PublishesItsOwnMeshWhileFoldlessSolvesACoarserOne) {
-  const MethodStarter start = [](Problem problem) -> std::unique_ptr<Method> {
+  const MethodStarter start = [](const Problem& problem) -> std::unique_ptr<Method> {
     return std::make_unique<Foldless>(
-        std::move(problem), CoarseSettings{.dense_from = 100, .least_vertices = 60, .ratio = 6});
+        problem, CoarseSettings{.dense_from = 100, .least_vertices = 60, .ratio = 6});
   };
   const Problem problem = placed(grid_problem(15, Vec2(16, 9)), 7, Vec2(3, -2));
   foldless::Run run(problem, 0, start);

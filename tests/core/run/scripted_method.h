@@ -54,8 +54,8 @@ struct Script {
 /// A method whose iterations are what a test wants them to be.
 class ScriptedMethod final : public Method {
  public:
-  ScriptedMethod(Problem problem, std::shared_ptr<Script> script)
-      : problem_(std::move(problem)), script_(std::move(script)) {}
+  ScriptedMethod(const Problem& problem, std::shared_ptr<Script> script)
+      : problem_(problem), script_(std::move(script)) {}
 
   std::optional<Iteration> step(const std::stop_token& token) override {
     if (outcome()) return std::nullopt;
@@ -93,9 +93,9 @@ class ScriptedMethod final : public Method {
 };
 
 inline MethodStarter starter_of(const std::shared_ptr<Script>& script) {
-  return [script](Problem problem) {
+  return [script](const Problem& problem) {
     if (script->start) script->start(problem);
-    return std::make_unique<ScriptedMethod>(std::move(problem), script);
+    return std::make_unique<ScriptedMethod>(problem, script);
   };
 }
 

@@ -71,19 +71,21 @@ TEST(CarryHandles, AStepIsBoundedAlongItsLineAndTheHandlesGoThatPartOfTheirWay) 
     EXPECT_TRUE(checker.is_injective(before + k / 8.0 * (c.mesh.deformed() - before))) << k;
 }
 
-TEST(CarryHandles, NeverFoldsHoweverOftenTheyPressAgainstWhatIsInTheWay) {
+TEST(CarryHandles, NoTriangleEndsBeyondItsLeastAreaHoweverOftenHandlesPressAgainstIt) {
   int pressed = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> unit(-2, 2);
     Carried c("arap", 2, {0, 0});
+    const double delta = c.energy.settings.delta;
     NewtonSystem system(c.mesh, c.energy.constraints, c.effort);
     for (int step = 0; step < 100; ++step) {
       if (step % 25 == 0) c.energy.constraints.targets.col(1) = test::random_vector(unit, random);
       pressed += carry_handles(system, c.mesh, c.energy, {}).step_length < 1e-6;
-      ASSERT_TRUE(is_injective_inside(c.mesh.triangles(), c.mesh.rest(), c.mesh.deformed()))
-          << "step " << step;
+      for (const auto& t : c.mesh.triangles().colwise())
+        ASSERT_GT(signed_area(c.mesh.deformed(), t), delta * signed_area(c.mesh.rest(), t))
+            << "step " << step;
     }
   }
   EXPECT_GT(pressed, 30) << "the claim would be empty";
