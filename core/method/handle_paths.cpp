@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/method/similarity.h"
+
 namespace foldless {
 namespace {
 
@@ -20,47 +22,33 @@ constexpr double kLeastTurn = 1e-6;
 Complex complex(const Vec2& p) { return {p.x(), p.y()}; }
 Vec2 vector(const Complex& z) { return {z.real(), z.imag()}; }
 
-/// z → a (z − from) + to.
-struct Similarity {
-  Complex a = 1, from = 0, to = 0;
-};
-
-/// Least squares over the handles that move: a = Σ conj(z − z₀)(p − p₀) / Σ|z − z₀|² with the
-/// centres z₀ of the starts z and p₀ of the targets p.
-Similarity similarity_of(const Points& starts, const Points& targets) {
-  if (starts.cols() == 0) return {};
+/// Those that move.
+std::vector<int> moving_of(const Points& starts, const Points& targets) {
+  std::vector<int> moving;
+  if (starts.cols() == 0) return moving;
   const double longest = (targets - starts).colwise().norm().maxCoeff();
-  std::vector<Eigen::Index> moving;
-  for (Eigen::Index i = 0; i < starts.cols(); ++i)
+  for (int i = 0; i < static_cast<int>(starts.cols()); ++i)
     if ((targets.col(i) - starts.col(i)).norm() > kStandingStill * longest) moving.push_back(i);
-  if (moving.empty()) return {};
-  Similarity s;
-  for (const Eigen::Index i : moving) {
-    s.from += complex(starts.col(i));
-    s.to += complex(targets.col(i));
-  }
-  s.from /= static_cast<double>(moving.size());
-  s.to /= static_cast<double>(moving.size());
-  Complex product = 0;
-  double spread = 0;
-  for (const Eigen::Index i : moving) {
-    const Complex z = complex(starts.col(i)) - s.from;
-    product += std::conj(z) * (complex(targets.col(i)) - s.to);
-    spread += std::norm(z);
-  }
-  if (std::abs(product) > 1e-12 * spread) s.a = product / spread;
-  return s;
+  return moving;
 }
 
 }  // namespace
 
-double common_turn(const Points& starts, const Points& targets) {
-  return std::arg(similarity_of(starts, targets).a);
+CommonTurn common_turn(const Points& starts, const Points& targets) {
+  const std::vector<int> moving = moving_of(starts, targets);
+  if (moving.empty()) return {};
+  const Points from = starts(Eigen::all, moving), to = targets(Eigen::all, moving);
+  const Similarity similarity = similarity_of(from, to);
+  return {.angle = std::arg(similarity.a),
+          .left = left_of_way(similarity, from, to) / (to - from).norm(),
+          .moving = static_cast<int>(moving.size())};
 }
 
 HandlePaths::HandlePaths(PathKind kind, Points starts, Points targets)
     : kind_(kind), starts_(std::move(starts)), targets_(std::move(targets)) {
-  const auto [a, from, to] = similarity_of(starts_, targets_);
+  const std::vector<int> moving = moving_of(starts_, targets_);
+  const auto [a, from, to] =
+      similarity_of(starts_(Eigen::all, moving), targets_(Eigen::all, moving));
   a_ = a;
   start_centre_ = vector(from);
   end_centre_ = vector(to);

@@ -41,8 +41,14 @@ class HandlePaths {
   std::vector<double> angles_;      ///< by which each handle turns about it
 };
 
-/// How far the handles that move turn together: the angle of the similarity that fits their motion
-/// best, in (−π, π]. Both are 2 × #handles. [rad]
-double common_turn(const Points& starts, const Points& targets);
+/// How the handles that move turn together: by the similarity that fits their motion best.
+struct CommonTurn {
+  double angle = 0;  ///< in (−π, π] [rad]
+  double left = 0;   ///< part of their ways that it leaves, in the root of the sum of squares
+  int moving = 0;    ///< how many move
+};
+
+/// Both are 2 × #handles.
+CommonTurn common_turn(const Points& starts, const Points& targets);
 
 }  // namespace foldless

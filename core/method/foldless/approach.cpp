@@ -2,8 +2,11 @@
 #include "core/method/foldless/approach.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/method/foldless/flipping_descent.h"
+#include "core/method/foldless/legs.h"
 
 namespace foldless {
 namespace approaching {
@@ -18,6 +21,12 @@ constexpr double kLongWay = 0.1;
 /// promises less than this part of E.
 constexpr double kSmallStep = 1e-3;
 constexpr double kSmallDecrement = 1e-2;
+
+/// A leg is over, reached or not, after so many steps, or where one promises less than this part of
+/// E, or as near to its stop, ‖P‖²/D².
+constexpr int kMostStepsOfALeg = 8;
+constexpr double kSmallDecrementOfALeg = 0.05;
+constexpr double kNearStop = 1e-2;
 
 /// ‖P‖²/D² from which the handles may be put on their targets by themselves.
 constexpr double kNearEnough = 1e-4;
@@ -36,6 +45,30 @@ double first_alpha(const Workspace& work) {
   const double shortness = long_way / std::max(way, long_way * 1e-4);
   return std::clamp(kFirstAlpha * shortness * shortness, kFirstAlpha, kLastAlpha);
 }
+
+/// The stops of an approach, one after the other.
+class Legs {
+ public:
+  explicit Legs(std::vector<Points> stops) : stops_(std::move(stops)) {}
+
+  const Points& stop() const { return stops_[next_]; }
+  bool is_last() const { return next_ + 1 == stops_.size(); }
+  /// After a step [D] of which the model promised a part of E, with ‖P‖² of the stop [D²].
+  bool is_over(double step, double decrement, double error) {
+    return ++steps_ >= kMostStepsOfALeg || step < kSmallStep || decrement < kSmallDecrementOfALeg ||
+           error < kNearStop;
+  }
+  /// Precondition: it is not the last.
+  const Points& go_on() {
+    steps_ = 0;
+    return stops_[++next_];
+  }
+
+ private:
+  std::vector<Points> stops_;
+  std::size_t next_ = 0;
+  int steps_ = 0;
+};
 
 /// Looks after every so many steps whether ‖P‖² still falls.
 class Watch {
@@ -62,12 +95,14 @@ void move_aim(const Workspace& work, Constraints& aimed) {
 
 }  // namespace approaching
 
-Steps<Progress> approach(Workspace& work, FactorUse use) {
+Steps<Progress> approach(Workspace& work, FactorUse use, Course course) {
   using namespace approaching;
   const double D = work.settings->diagonal;
   Energy energy{work.settings->energy, work.constraints};
   double& alpha = energy.settings.alpha;
   alpha = first_alpha(work);
+  Legs legs(course == Course::in_legs ? legs_of(work) : std::vector{work.constraints.targets});
+  energy.constraints.targets = legs.stop();
   FlippingDescent descent(use);
   Watch watch(work.error());
   int multiplier_steps = 0;
@@ -78,12 +113,19 @@ Steps<Progress> approach(Workspace& work, FactorUse use) {
     co_yield work.record(update, energy, Phase::approach);
     if (has_arrived) co_return Progress::arrived;
 
+    const double E = work.system.objective().value(energy, work.mesh.deformed()).total();
+    const double step = update.step_infinity_norm / D, decrement = update.decrement / E;
     const double error = work.error();
+    if (!legs.is_last()) {
+      const double to_stop = handle_error_squared(energy.constraints, work.mesh.deformed());
+      if (!legs.is_over(step, decrement, to_stop / (D * D))) continue;
+      energy.constraints.targets = legs.go_on();
+      watch = Watch(error);
+      continue;
+    }
     const bool has_stalled = watch.has_stalled(error);
     if (has_stalled && alpha >= kLastAlpha) co_return Progress::locked;
-    const double E = work.system.objective().value(energy, work.mesh.deformed()).total();
-    const bool is_settled = has_stalled || update.step_infinity_norm < kSmallStep * D ||
-                            update.decrement < kSmallDecrement * E;
+    const bool is_settled = has_stalled || step < kSmallStep || decrement < kSmallDecrement;
     if (!is_settled) continue;
     if (alpha < kLastAlpha) {
       alpha = std::min(kLastAlpha, kAlphaFactor * alpha);

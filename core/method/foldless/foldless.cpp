@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/method/foldless/approach.h"
+#include "core/method/foldless/common_motion.h"
 #include "core/method/foldless/infeasible.h"
+#include "core/method/foldless/legs.h"
 #include "core/method/foldless/pursue.h"
 #include "core/method/foldless/tidy.h"
 #include "core/method/foldless/transport_plans.h"
@@ -74,7 +77,18 @@ void Foldless::set_targets(const Points& targets) {
 
 Steps<Outcome> Foldless::solve(Start start) {
   const bool is_drag = start == Start::drag;
+  // What the handles of a part do together costs no step. Where it is not all of their way the mesh
+  // leaps, so not while somebody looks at it.
+  bool has_moved = false;
+  if (work_.error() > 0) has_moved = co_await move_together(work_, CommonMotion::exact);
   if (!is_drag && work_.error() > 0) co_await coarse_to_fine();
+  if (!is_drag && work_.error() > 0) {
+    const bool is_near = co_await move_together(work_, CommonMotion::near);
+    has_moved = has_moved || is_near;
+  }
+  const bool is_plain = !has_moved && legs_of(work_).size() == 1;
+  std::optional<MeshPair> moved;
+  if (has_moved && !is_drag) moved = work_.mesh;
 
   Progress progress = Progress::arrived;
   if (work_.error() > 0) progress = co_await pursue(work_);
@@ -83,7 +97,11 @@ Steps<Outcome> Foldless::solve(Start start) {
   // Triangles that a pursuit pressed together lead to poor minima. The mesh of a drag goes on from
   // where it is, for somebody looks at it.
   if (progress == Progress::locked) {
-    if (!is_drag) work_.set_mesh(problem_.mesh);
+    if (!is_drag) work_.set_mesh(moved ? *moved : problem_.mesh);
+    progress = co_await approach(work_, FactorUse::lagged, Course::in_legs);
+  }
+  if (progress == Progress::locked && !is_drag && !is_plain) {
+    work_.set_mesh(problem_.mesh);
     progress = co_await approach(work_, FactorUse::lagged);
   }
   if (progress == Progress::locked && is_proved_infeasible()) co_return Outcome::infeasible;

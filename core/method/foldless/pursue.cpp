@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/pursue.h"
 
+#include <vector>
+
+#include "core/method/foldless/legs.h"
 #include "core/solve/carry_handles.h"
 
 namespace foldless {
@@ -10,11 +13,8 @@ namespace pursuit {
 constexpr double kShortCarry = 0.35;
 constexpr int kMostShortSteps = 3;
 
-}  // namespace pursuit
-
-Steps<Progress> pursue(Workspace& work) {
-  using namespace pursuit;
-  const Energy energy = work.held_energy();
+/// Carries the handles to where they are held.
+Steps<Progress> carry_to(Workspace& work, const Energy& energy) {
   const auto carry = [&](const std::stop_token& token) {
     return carry_handles(work.system, work.mesh, energy, token);
   };
@@ -27,6 +27,20 @@ Steps<Progress> pursue(Workspace& work) {
     short_steps = update.step_length < kShortCarry ? short_steps + 1 : 0;
   }
   co_return Progress::locked;
+}
+
+}  // namespace pursuit
+
+Steps<Progress> pursue(Workspace& work) {
+  Energy energy = work.held_energy();
+  const std::vector<Points> legs = legs_of(work);
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    energy.constraints.targets = legs[leg];
+    const Progress progress = co_await pursuit::carry_to(work, energy);
+    if (progress == Progress::locked) co_return progress;
+    if (leg + 1 < legs.size()) work.flip_edges(energy.settings);
+  }
+  co_return Progress::arrived;
 }
 
 }  // namespace foldless

@@ -49,7 +49,7 @@ std::vector<std::vector<int>> shuffled(std::vector<std::vector<int>> groups, std
 }  // namespace
 
 bool turn_together(const Points& starts, const Points& targets) {
-  return std::abs(common_turn(starts, targets)) > kTurn;
+  return std::abs(common_turn(starts, targets).angle) > kTurn;
 }
 
 std::vector<TransportPlan> transport_plans(const Points& starts, const Points& targets,

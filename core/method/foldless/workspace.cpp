@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/method/foldless/handles_of_components.h"
 #include "core/method/record.h"
 
 namespace foldless {
@@ -26,7 +27,8 @@ Workspace::Workspace(MeshPair start, Constraints handles, const RunSettings& run
     : mesh(std::move(start)),
       constraints(std::move(handles)),
       system(mesh, constraints, effort),
-      settings(&run_settings) {}
+      settings(&run_settings),
+      parts(handles_of_components(mesh, constraints)) {}
 
 Energy Workspace::held_energy() const { return {settings->energy, held(constraints)}; }
 

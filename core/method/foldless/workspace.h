@@ -37,6 +37,7 @@ struct Workspace {
   Constraints constraints;  ///< with the real targets
   NewtonSystem system;
   const RunSettings* settings;
+  std::vector<std::vector<int>> parts;  ///< see handles_of_components()
 
   Workspace(MeshPair start, Constraints handles, const RunSettings& run_settings, Effort& effort);
 

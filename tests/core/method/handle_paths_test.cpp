@@ -112,8 +112,8 @@ TEST(HandlePaths, CommonTurnIsTheAngleOfTheHandlesThatMove) {
   starts.leftCols(4) = ring(4, 1, 0, {0, 0});
   targets.leftCols(4) = ring(4, 1, 0.8, {0, 0});
   starts.col(4) = targets.col(4) = Vec2(5, 5);
-  EXPECT_NEAR(common_turn(starts, targets), 0.8, 1e-12);
-  EXPECT_EQ(common_turn(starts, starts), 0);
+  EXPECT_NEAR(common_turn(starts, targets).angle, 0.8, 1e-12);
+  EXPECT_EQ(common_turn(starts, starts).angle, 0);
 }
 
 TEST(HandlePaths, ATranslationIsStraightWhateverWasAskedFor) {

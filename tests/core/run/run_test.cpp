@@ -42,7 +42,9 @@ TEST(Run, PublishesItsOwnMeshWhileFoldlessSolvesACoarserOne) {
     return std::make_unique<Foldless>(
         problem, CoarseSettings{.dense_from = 100, .least_vertices = 60, .ratio = 6});
   };
-  const Problem problem = placed(grid_problem(15, Vec2(16, 9)), 7, Vec2(3, -2));
+  Problem bent = grid_problem(15, Vec2(16, 9));
+  bent.handles.push_back({.id = 3, .vertex = 14, .target = bent.mesh.rest().col(14)});
+  const Problem problem = placed(bent, 7, Vec2(3, -2));
   foldless::Run run(problem, 0, start);
   int coarse_steps = 0;
   bool is_coarse = true;

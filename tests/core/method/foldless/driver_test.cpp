@@ -30,6 +30,30 @@ TEST(Driver, AfterALockedPursuitTheApproachBeginsFromTheMeshOfTheProblem) {
   EXPECT_GE(locked, 8);
 }
 
+TEST(Driver, HandlesThatMoveTogetherAreApproachedFromThereAndThenFromTheMeshOfTheProblem) {
+  int from_there = 0, from_problem = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Problem problem = trading_places(seed);
+    for (Handle& handle : problem.handles) handle.target += Vec2(3, 1);
+    Foldless method(problem);
+    ASSERT_TRUE(method.step({}));
+    const Points moved = method.mesh().deformed();
+    EXPECT_LT((moved.rowwise().mean() - problem.mesh.rest().rowwise().mean() - Vec2(3, 1)).norm(),
+              0.5);
+    std::optional<Iteration> record;
+    for (int step = 0; step < 1000 && (record = method.step({})); ++step) {
+      if (record->phase == Phase::pursue && method.mesh().deformed() == moved) ++from_there;
+      if (record->phase == Phase::approach && method.mesh().deformed() == problem.mesh.deformed()) {
+        ++from_problem;
+        break;
+      }
+    }
+  }
+  EXPECT_GE(from_there, 8);
+  EXPECT_GE(from_problem, 4);
+}
+
 TEST(Driver, AfterALockedPursuitOfADragItGoesOnFromTheMeshAsItIs) {
   int approaches = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

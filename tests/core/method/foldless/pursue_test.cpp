@@ -54,7 +54,8 @@ struct Hand {
   Eigen::Index handle = 0;
 };
 
-TEST(Pursue, AHandleThatMovesALittleIsExactlyHomeAfterOneFactorization) {
+// One or two handles move by a similarity, which costs none.
+TEST(Pursue, AHandleThatMovesALittleIsExactlyHomeAfterOneFactorizationAtMost) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Hand hand(seed);
@@ -62,7 +63,7 @@ TEST(Pursue, AHandleThatMovesALittleIsExactlyHomeAfterOneFactorization) {
     const auto iteration = hand.method->step({});
     ASSERT_TRUE(iteration.has_value());
     EXPECT_EQ(iteration->phase, Phase::pursue);
-    EXPECT_EQ(iteration->factorizations, 1);
+    EXPECT_EQ(iteration->factorizations, hand.problem.handles.size() > 2 ? 1 : 0);
     EXPECT_EQ(hand.distance(), 0);
   }
 }
