@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/method/foldless/flipping_descent.h"
-#include "core/method/foldless/legs.h"
 
 namespace foldless {
 namespace approaching {
@@ -95,13 +94,14 @@ void move_aim(const Workspace& work, Constraints& aimed) {
 
 }  // namespace approaching
 
-Steps<Progress> approach(Workspace& work, FactorUse use, Course course) {
+Steps<Progress> approach(Workspace& work, FactorUse use, std::vector<Points> stops) {
   using namespace approaching;
   const double D = work.settings->diagonal;
   Energy energy{work.settings->energy, work.constraints};
   double& alpha = energy.settings.alpha;
   alpha = first_alpha(work);
-  Legs legs(course == Course::in_legs ? legs_of(work) : std::vector{work.constraints.targets});
+  if (stops.empty()) stops = {work.constraints.targets};
+  Legs legs(std::move(stops));
   energy.constraints.targets = legs.stop();
   FlippingDescent descent(use);
   Watch watch(work.error());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/method/foldless/approach.h"
+#include "core/method/foldless/candidates.h"
 #include "core/method/foldless/common_motion.h"
 #include "core/method/foldless/infeasible.h"
 #include "core/method/foldless/legs.h"
@@ -26,6 +27,13 @@ constexpr double kGainOfASplitRound = 0.9;
 constexpr int kLargestUncrushed = 2000;
 /// so many other ways are tried where triangles are crushed.
 constexpr int kWaysWhenCrushed = 6;
+
+/// Of a mesh of at most so many triangles,
+constexpr int kLargestWithCandidates = 3000;
+/// other candidates are tried where σ₁/σ₂ of one is above this,
+constexpr double kSuspiciousDistortion = 50;
+/// each until it has taken so many factorizations.
+constexpr int kMostOfACandidate = 30;
 
 /// Vertices that came with the original mesh stay, and so do those before a handle, whose indices
 /// must not change.
@@ -98,13 +106,13 @@ Steps<Outcome> Foldless::solve(Start start) {
   // where it is, for somebody looks at it.
   if (progress == Progress::locked) {
     if (!is_drag) work_.set_mesh(moved ? *moved : problem_.mesh);
-    progress = co_await approach(work_, FactorUse::lagged, Course::in_legs);
+    progress = co_await approach(work_, FactorUse::lagged, legs_of(work_));
   }
+  if (progress == Progress::locked && is_proved_infeasible()) co_return Outcome::infeasible;
   if (progress == Progress::locked && !is_drag && !is_plain) {
     work_.set_mesh(problem_.mesh);
     progress = co_await approach(work_, FactorUse::lagged);
   }
-  if (progress == Progress::locked && is_proved_infeasible()) co_return Outcome::infeasible;
 
   // Once more with the steps of Newton himself: some scenes are reached only so, but hardly those
   // whose handles turn.
@@ -125,6 +133,7 @@ Steps<Outcome> Foldless::solve(Start start) {
   }
 
   co_await tidy(work_);
+  if (!is_drag) co_await try_candidates();
   if (!is_drag) co_await uncrush(ways);
   co_return Outcome::gradient;
 }
@@ -167,6 +176,27 @@ Steps<Progress> Foldless::split_and_approach(FactorUse use) {
     if (progress == Progress::arrived) co_return progress;
   }
   co_return Progress::locked;
+}
+
+// Where a triangle is that distorted another way often ends in a better shape; the best one stays.
+Steps<> Foldless::try_candidates() {
+  using namespace driver;
+  if (problem_.mesh.face_count() > kLargestWithCandidates ||
+      largest_distortion(work_.mesh) <= kSuspiciousDistortion)
+    co_return;
+  bool has_changed = false;
+  for (int i = 0; i < kCandidates; ++i) {
+    Workspace other = work_;
+    other.set_mesh(problem_.mesh);
+    const auto progress = co_await within(kMostOfACandidate, effort(), candidate(i, other));
+    if (progress != Progress::arrived) continue;
+    co_await tidy(other);
+    if (!is_better(other, work_)) continue;
+    work_ = std::move(other);
+    has_changed = true;
+  }
+  if (has_changed) co_await tidy(work_);
+  co_yield [this](Iteration& last) { work_.measure_again(last, work_.held_energy()); };
 }
 
 // Where triangles are crushed another way may end in a better mesh; the best one stays.

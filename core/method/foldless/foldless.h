@@ -46,6 +46,7 @@ class Foldless final : public SteppedMethod {
   Steps<Outcome> solve(Start start);
   Steps<> coarse_to_fine();
   Steps<Progress> split_and_approach(FactorUse use);
+  Steps<> try_candidates();
   Steps<> uncrush(OtherWays& ways);
   bool split_at_handles();
   bool is_proved_infeasible();

@@ -45,4 +45,13 @@ std::vector<Points> legs_of(const Workspace& work) {
   return stops;
 }
 
+std::vector<Points> straight_legs(const Workspace& work, int count) {
+  const Points starts = work.handles();
+  std::vector<Points> stops(static_cast<std::size_t>(count), work.constraints.targets);
+  for (int k = 0; k + 1 < count; ++k)
+    stops[static_cast<std::size_t>(k)] =
+        starts + (k + 1.0) / count * (work.constraints.targets - starts);
+  return stops;
+}
+
 }  // namespace foldless

@@ -13,4 +13,7 @@ namespace foldless {
 /// a point. The others go straight beside them, in as many legs.
 std::vector<Points> legs_of(const Workspace& work);
 
+/// So many on straight ways.
+std::vector<Points> straight_legs(const Workspace& work, int count);
+
 }  // namespace foldless

@@ -111,7 +111,7 @@ TEST(Legs, LeadAnApproachWhereStraightWaysMeetInAPoint) {
   for (const double degrees : {150, 165, 180, 195, 210}) {
     SCOPED_TRACE(degrees);
     OwnWorkspace led = workspace_for(turned_core(degrees, true));
-    EXPECT_EQ(test::run_to_the_end(approach(led.work, FactorUse::lagged, Course::in_legs)),
+    EXPECT_EQ(test::run_to_the_end(approach(led.work, FactorUse::lagged, legs_of(led.work))),
               Progress::arrived);
     EXPECT_EQ(led.work.error(), 0);
     EXPECT_LT(led.effort.factorizations, 20);

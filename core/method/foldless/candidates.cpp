@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/candidates.h"
+
+#include <utility>
+
+#include "core/method/foldless/approach.h"
+#include "core/method/foldless/legs.h"
+#include "core/method/foldless/tidy.h"
+#include "core/method/foldless/transport.h"
+#include "core/method/foldless/transport_plans.h"
+
+namespace foldless {
+namespace candidates {
+
+/// E_d is better below this part of another.
+constexpr double kLower = 0.999;
+constexpr int kFewLegs = 4;
+constexpr int kManyLegs = 8;
+
+/// A step of steps that may be left before their end.
+struct TrialStep {
+  bool cancelled = false;
+};
+bool is_cancelled(const TrialStep& step) { return step.cancelled; }
+
+double distortion_energy(const Workspace& work) {
+  return work.system.objective().value(work.held_energy(), work.mesh.deformed()).distortion;
+}
+
+}  // namespace candidates
+
+Steps<Progress> candidate(int which, Workspace& work) {
+  using namespace candidates;
+  if (which == 1)
+    return transport(work, transport_plans(work.handles(), work.constraints.targets, 0).front());
+  return approach(work, FactorUse::lagged, straight_legs(work, which == 0 ? kFewLegs : kManyLegs));
+}
+
+Steps<std::optional<Progress>> within(int most_factorizations, const Effort& effort,
+                                      Steps<Progress> steps) {
+  const int last = effort.factorizations + most_factorizations;
+  StepContext own;
+  steps.begin(own);
+  const auto next = [&own](const std::stop_token& token) {
+    return candidates::TrialStep{!own.request->make(token)};
+  };
+  while (!steps.have_ended()) {
+    if (effort.factorizations >= last) co_return std::nullopt;
+    own.record.reset();
+    co_await vertex_update(next);
+    own.waiting.resume();
+    if (own.record) co_yield *own.record;
+  }
+  co_return steps.result();
+}
+
+bool is_better(const Workspace& work, const Workspace& other) {
+  return candidates::distortion_energy(work) <
+             candidates::kLower * candidates::distortion_energy(other) &&
+         largest_distortion(work.mesh) <= largest_distortion(other.mesh);
+}
+
+}  // namespace foldless

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/candidates.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <utility>
+
+#include "core/method/foldless/approach.h"
+#include "core/method/foldless/tidy.h"
+#include "core/method/satisfied.h"
+#include "tests/core/method/foldless/foldless_scenes.h"
+#include "tests/core/method/foldless/stage_runner.h"
+#include "tests/core/method/foldless/workspaces.h"
+#include "tests/support/random_scene.h"
+
+namespace foldless {
+namespace {
+
+using test::OwnWorkspace;
+using test::StageRunner;
+
+OwnWorkspace workspace_for(const Problem& problem, const MeshPair& mesh) {
+  RunSettings settings = test::run_settings(problem.energy, problem.mesh);
+  settings.diagonal = bounding_box_diagonal(problem.mesh.rest());
+  return {mesh, constraints_of(problem.handles), std::move(settings)};
+}
+
+TEST(Candidates, AreLeftWhenTheyHaveTakenTheirFactorizationsAndElseEndAsByThemselves) {
+  int left = 0, ended = 0;
+  std::stop_source stopped;
+  stopped.request_stop();
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    const Problem problem = seed % 2 == 0 ? test::random_problem(seed) : test::trading_places(seed);
+    OwnWorkspace alone = workspace_for(problem, problem.mesh),
+                 bounded = workspace_for(problem, problem.mesh);
+    const Progress progress = test::run_to_the_end(approach(alone.work, FactorUse::own));
+    constexpr int kMost = 30;
+    StageRunner<std::optional<Progress>> runner(
+        within(kMost, bounded.effort, approach(bounded.work, FactorUse::own)));
+    while (!runner.has_ended()) {
+      const Points before = bounded.work.mesh.deformed();
+      const bool stops = random() % 4 == 0;
+      const auto record = runner.step(stops ? stopped.get_token() : std::stop_token());
+      if (!record) {
+        EXPECT_EQ(bounded.work.mesh.deformed(), before);
+      }
+      ASSERT_TRUE(test::is_valid(bounded.work.mesh));
+    }
+    const std::optional<Progress> result = runner.result();
+    if (alone.effort.factorizations < kMost) {
+      ++ended;
+      EXPECT_EQ(result, progress);
+      EXPECT_EQ(bounded.work.mesh.deformed(), alone.work.mesh.deformed());
+    } else {
+      ++left;
+      EXPECT_EQ(result, std::nullopt);
+      EXPECT_GE(bounded.effort.factorizations, kMost);
+      EXPECT_LE(bounded.effort.factorizations, kMost + 5) << "a step takes few";
+    }
+  }
+  EXPECT_GT(left, 2) << "the claim would be empty";
+  EXPECT_GT(ended, 2) << "the claim would be empty";
+}
+
+TEST(Candidates, NoneIsBetterThanAPoorShapeThatStays) {
+  int poor = 0;
+  for (std::uint64_t seed = 3; seed <= 120; seed += 3) {  // boundaries that are free
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Problem problem = test::trading_places(seed);
+    Foldless method(problem);
+    while (method.step({})) {
+    }
+    if (method.outcome() != Outcome::gradient || largest_distortion(method.mesh()) <= 50) continue;
+    const OwnWorkspace end = workspace_for(problem, method.mesh());
+    for (int i = 0; i < kCandidates; ++i) {
+      OwnWorkspace other = workspace_for(problem, problem.mesh);
+      const auto progress =
+          test::run_to_the_end(within(30, other.effort, candidate(i, other.work)));
+      if (progress != Progress::arrived) continue;
+      ++poor;
+      test::run_to_the_end(tidy(other.work));
+      EXPECT_FALSE(is_better(other.work, end.work)) << "candidate " << i;
+    }
+  }
+  EXPECT_GT(poor, 2) << "the claim would be empty";
+}
+
+TEST(Candidates, AreBetterOnlyWithLessEnergyAndNoMoreDistortion) {
+  const Problem problem = test::grid_problem({{0, {0, 0}}, {8, {0, 0}}, {80, {0.1, 0.1}}});
+  Foldless method(problem);
+  while (method.step({})) {
+  }
+  const OwnWorkspace good = workspace_for(problem, method.mesh());
+  MeshPair bent = method.mesh();
+  Points u = bent.deformed();
+  u.col(40) += Vec2(0.03, 0.01);
+  bent.set_deformed(u);
+  const OwnWorkspace bad = workspace_for(problem, bent);
+  ASSERT_TRUE(test::is_valid(bent));
+  EXPECT_TRUE(is_better(good.work, bad.work));
+  EXPECT_FALSE(is_better(bad.work, good.work));
+  EXPECT_FALSE(is_better(good.work, good.work));
+}
+
+}  // namespace
+}  // namespace foldless
