@@ -150,7 +150,7 @@ int solve(const SolveCall& call) {
   solved.problem = problem_of(scene);
   solved.original_faces = static_cast<int>(scene.triangles.cols());
   Run run = timed(solved.seconds, [&] { return Run(solved.problem); });
-  Results results(call.folder, figure_of(call, scene));
+  Results results(call.folder, call.frame_step.has_value(), figure_of(call, scene));
   if (!call.quiet) print_notices(loaded.notices);
   Loop(call, solved, results).finish(std::move(run), interrupt);
   solved.wall_seconds = seconds_since(start);

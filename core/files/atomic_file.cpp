@@ -86,13 +86,6 @@ void write_in_place(const fs::path& file, std::string_view bytes) {
   if (error != 0) refuse_writing(file, error);
 }
 
-/// The rename itself lives in the folder. A folder that cannot be synced is no failure: the file
-/// is complete under its name.
-void sync_folder(const fs::path& folder) {
-  const Descriptor in(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (in.is_open()) ::fsync(in.number());
-}
-
 }  // namespace
 
 std::string read_file(const fs::path& file) {
@@ -130,6 +123,12 @@ void write_file_atomically(const fs::path& file, std::string_view bytes) {
     refuse_writing(file, error);
   }
   sync_folder(folder);
+}
+
+// A folder that cannot be synced is no failure: a file is complete under its name.
+void sync_folder(const fs::path& folder) {
+  const Descriptor in(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (in.is_open()) ::fsync(in.number());
 }
 
 }  // namespace foldless

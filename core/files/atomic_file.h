@@ -16,4 +16,7 @@ std::string read_file(const std::filesystem::path& file);
 /// written to. Throws Error when that fails, and leaves no temporary file.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
 
+/// Waits until the names in a folder have reached the disk, where the file system can do that.
+void sync_folder(const std::filesystem::path& folder);
+
 }  // namespace foldless

@@ -62,7 +62,7 @@ TEST(Solve, WritesTheMeshesTheReportAndTheIterations) {
   EXPECT_EQ(ended.err, "");
   const std::string out = folder / "out/deep";
   EXPECT_EQ(names_in(out), (std::vector<std::string>{"deformed.obj", "iterations.csv",
-                                                     "report.json", "rest.obj"}));
+                                                     "manifest.json", "report.json", "rest.obj"}));
   expect_valid_results(out);
   EXPECT_EQ(read_mesh(out + "/rest.obj").points, problem.mesh.rest());
   EXPECT_LT((read_mesh(out + "/deformed.obj").points.col(35) - Vec2(2.5, 2.2)).norm(), 1e-4);
@@ -293,7 +293,7 @@ void interrupt_with(int signal) {
   const std::string out = folder / "out";
   for (const std::size_t frames : {1U, 4U, 9U}) {
     Command command({"solve", folder / "scene.json", "-o", out, "--frames", "all"});
-    while (names_in(out + "/frames").size() < frames) std::this_thread::yield();
+    while (names_in(out + "/.foldless-staged/frames").size() < frames) std::this_thread::yield();
     command.send(signal);
     const Ended ended = command.wait();
     expect_valid_results(out);
