@@ -47,16 +47,29 @@ fs::path new_folder() {
 
 }  // namespace
 
-Command::Command(const std::vector<std::string>& arguments, OpenEditor open_editor)
-    : folder_(new_folder()) {
+bool Command::fork_off() {
+  folder_ = new_folder();
   std::cout.flush();
   std::cerr.flush();
   process_ = fork();
   if (process_ < 0) throw std::runtime_error("no process for a call of the program");
-  if (process_ > 0) return;
+  if (process_ > 0) return false;
   redirect(STDOUT_FILENO, folder_ / "out");
   redirect(STDERR_FILENO, folder_ / "err");
-  call(arguments, open_editor);
+  return true;
+}
+
+Command::Command(const std::vector<std::string>& arguments, OpenEditor open_editor) {
+  if (fork_off()) call(arguments, open_editor);
+}
+
+Command::Command(const std::vector<std::string>& arguments, const fs::path& out) {
+  if (!fork_off()) return;
+  if (out.empty())
+    close(STDOUT_FILENO);
+  else
+    redirect(STDOUT_FILENO, out);
+  call(arguments, {});
 }
 
 Command::~Command() {

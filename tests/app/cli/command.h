@@ -24,6 +24,8 @@ struct Ended {
 class Command {
  public:
   explicit Command(const std::vector<std::string>& arguments, OpenEditor open_editor = {});
+  /// With stdout into a device, or closed where `out` is empty.
+  Command(const std::vector<std::string>& arguments, const std::filesystem::path& out);
   ~Command();
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
@@ -33,6 +35,9 @@ class Command {
   Ended wait();
 
  private:
+  /// True in the new process.
+  bool fork_off();
+
   std::filesystem::path folder_;
   pid_t process_ = -1;
 };
