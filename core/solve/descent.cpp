@@ -44,6 +44,7 @@ VertexUpdate Descent::step(NewtonSystem& system, MeshPair& mesh, const Energy& e
                            const std::stop_token& token) {
   if (clamping_ < 1) {
     system.assemble(energy, mesh.deformed(), clamping_);
+    if (token.stop_requested()) return {.cancelled = true};
     if (const std::optional<Points> step = step_if_definite(system)) {
       VertexUpdate update = step_along(*step, system, mesh, energy);
       update.clamping = clamping_;

@@ -310,11 +310,47 @@ void interrupt_with(int signal) {
 
 TEST(Solve, InterruptedItWritesTheLastValidMesh) { interrupt_with(SIGINT); }
 
-TEST(Solve, InterruptedInTheBackgroundOfAScriptItDoesSoToo) {
-  // Shells start background jobs with SIGINT ignored, and processes inherit that.
-  const auto previous = std::signal(SIGINT, SIG_IGN);
-  interrupt_with(SIGINT);
-  std::signal(SIGINT, previous);
+TEST(Solve, GoesOnWhereSignalsAreIgnored) {
+  // As in background jobs of a script and under nohup: processes inherit what is ignored.
+  const TemporaryFolder folder;
+  write_scene(folder / "scene.json", long_problem());
+  const auto before_int = std::signal(SIGINT, SIG_IGN);
+  const auto before_term = std::signal(SIGTERM, SIG_IGN);
+  const std::string out = folder / "out";
+  Command command({"solve", folder / "scene.json", "-o", out, "--frames", "all"});
+  std::signal(SIGINT, before_int);
+  std::signal(SIGTERM, before_term);
+  while (names_in(out + "/.foldless-staged/frames").empty()) std::this_thread::yield();
+  command.send(SIGINT);
+  command.send(SIGTERM);
+  EXPECT_EQ(command.wait().status, 0);
+  EXPECT_EQ(json::parse(read_text(out + "/report.json"))["outcome"], "gradient");
+}
+
+TEST(Solve, EndsWithOneWhenTheTimeIsOver) {
+  const TemporaryFolder folder;
+  Problem problem = grid_problem(150, Vec2(2, 3));  // takes minutes
+  problem.energy = find_density("arap");
+  write_scene(folder / "scene.json", problem);
+  const Ended ended = test::run({"solve", folder / "scene.json", "-o", folder / "out", "--method",
+                                 "paper-noflip", "--time-limit", "0.5"});
+  EXPECT_EQ(ended.status, 1) << ended.err;
+  EXPECT_NE(ended.out.find("time-limit"), std::string::npos) << ended.out;
+  expect_valid_results(folder / "out");
+  const json report = json::parse(read_text(folder / "out/report.json"));
+  EXPECT_EQ(report["outcome"], "time-limit");
+  EXPECT_GT(report["seconds"]["total"].get<double>(), 0.3);
+  EXPECT_LT(report["seconds"]["total"].get<double>(), 2) << "processor time, whatever else runs";
+}
+
+TEST(Solve, ATimeLimitThatIsNotReachedChangesNothing) {
+  const TemporaryFolder folder;
+  write_scene(folder / "scene.json", flipping_problem());
+  const std::string out = folder / "out", other = folder / "other";
+  ASSERT_EQ(test::run({"solve", folder / "scene.json", "-o", out}).status, 0);
+  ASSERT_EQ(test::run({"solve", folder / "scene.json", "-o", other, "--time-limit", "500"}).status,
+            0);
+  EXPECT_EQ(read_text(out + "/deformed.obj"), read_text(other + "/deformed.obj"));
 }
 
 TEST(Solve, TerminatedItWritesTheLastValidMesh) { interrupt_with(SIGTERM); }
