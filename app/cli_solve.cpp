@@ -42,7 +42,8 @@ std::optional<FigureOptions> figure_of(const SolveCall& call, const Scene& scene
   // Read by Mesa's software renderer when its context is made.
   if (call.threads) setenv("LP_NUM_THREADS", std::to_string(*call.threads).c_str(), 1);
   FigureOptions figure;
-  if (!scene.texture_path.empty()) figure.texture = load_image(scene.folder / scene.texture_path);
+  if (!scene.texture_path.empty())
+    figure.texture = std::make_shared<const Image>(load_image(scene.folder / scene.texture_path));
   return figure;
 }
 

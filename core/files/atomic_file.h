@@ -7,7 +7,7 @@
 
 namespace foldless {
 
-/// All bytes of a file. Throws Error when it is missing, a folder or unreadable.
+/// All bytes of a file. Throws Error when it is missing, a folder, unreadable or larger than 1 GiB.
 std::string read_file(const std::filesystem::path& file);
 
 /// Replaces a file as a whole: the bytes go to a temporary file in the same folder, reach the

@@ -2,6 +2,7 @@
 #include "tests/app/cli/command.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -85,10 +86,11 @@ void Command::send(int signal) const { kill(process_, signal); }
 
 Ended Command::wait() {
   int status = 0;
-  waitpid(process_, &status, 0);
+  rusage usage{};
+  wait4(process_, &status, 0, &usage);
   process_ = -1;
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(folder_ / "out"),
-          read_text(folder_ / "err")};
+          read_text(folder_ / "err"), static_cast<double>(usage.ru_maxrss) / 1024};
 }
 
 Ended run(const std::vector<std::string>& arguments) { return Command(arguments).wait(); }

@@ -18,6 +18,7 @@ struct Ended {
   int status = -1;  ///< exit status; negative: the signal that killed it
   std::string out;  ///< what it printed on stdout
   std::string err;  ///< and on stderr
+  double peak = 0;  ///< the most memory that it had [MiB]
 };
 
 /// The program with these arguments in a process of its own, without a display.
