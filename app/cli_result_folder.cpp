@@ -20,6 +20,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kStaged = ".foldless-staged";
 constexpr const char* kCommitted = ".foldless-committed";
+constexpr const char* kFrames = "frames";
+/// In `.foldless-committed`: a folder with the frames of the earlier result.
+constexpr const char* kEarlier = "earlier";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& what) {
   throw Error(path.string() + ": " + what);
@@ -32,10 +35,10 @@ bool is_real_folder(const fs::path& path) { return fs::is_directory(fs::symlink_
 std::vector<std::string> names_below(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const char* part : {"", "frames/"})
+  for (const fs::path part : {"", kFrames})
     if (is_real_folder(folder / part))
       for (const fs::directory_entry& entry : fs::directory_iterator(folder / part, ignored))
-        names.push_back(part + entry.path().filename().string());
+        names.push_back((part / entry.path().filename()).string());
   return names;
 }
 
@@ -51,9 +54,10 @@ std::string without_temporary(const std::string& name) {
 /// where nothing else is in it.
 void remove_own(const fs::path& folder) {
   if (!is_real_folder(folder)) return;
+  remove_own(folder / kEarlier);
   for (const std::string& name : names_below(folder))
     if (is_result_name(without_temporary(name))) ::unlink((folder / name).c_str());
-  ::rmdir((folder / "frames").c_str());
+  ::rmdir((folder / kFrames).c_str());
   ::rmdir(folder.c_str());
 }
 
@@ -67,6 +71,8 @@ void rename_or_refuse(const fs::path& from, const fs::path& to) {
 bool names(const Manifest& manifest, const std::string& name) {
   return std::ranges::find(manifest, name, &ResultFile::name) != manifest.end();
 }
+
+bool is_frame(const std::string& name) { return fs::path(name).parent_path() == kFrames; }
 
 }  // namespace
 
@@ -115,19 +121,23 @@ fs::path ResultFolder::staged() const { return folder_ / kStaged; }
 
 void ResultFolder::expect_free(const std::string& name) const {
   const fs::path file = folder_ / name;
-  const fs::path frames = folder_ / "frames";
+  const fs::path frames = folder_ / kFrames;
   if (file.parent_path() == frames && is_there(frames) && !is_real_folder(frames))
     refuse(frames, "is not a folder; move it away or choose another folder for the result");
   if (!is_there(file)) return;
-  const auto entry = entry_of(folder_, name);
-  if (!entry || std::ranges::find(earlier_, *entry) == earlier_.end())
+  if (!is_own(name))
     refuse(file, "is not as an earlier solve left it; move it away or choose another folder");
+}
+
+bool ResultFolder::is_own(const std::string& name) const {
+  const auto entry = entry_of(folder_, name);
+  return entry && std::ranges::find(earlier_, *entry) != earlier_.end();
 }
 
 void ResultFolder::expect_free_frames() const {
   expect_free("frames/000000.obj");
   for (const std::string& name : names_below(folder_))
-    if (name.starts_with("frames/") && is_result_name(name)) expect_free(name);
+    if (is_frame(name) && is_result_name(name)) expect_free(name);
 }
 
 void ResultFolder::commit() {
@@ -153,19 +163,54 @@ void ResultFolder::take_names() {
     for (const ResultFile& file : manifest)
       if (is_there(committed / file.name)) arriving.push_back(file);
     for (const ResultFile& file : arriving) expect_free(file.name);
-    std::erase_if(earlier_, [&](const ResultFile& file) {
-      return names(manifest, file.name) || entry_of(folder_, file.name) != file;
-    });
-    if (is_there(committed / "frames")) make_folder(folder_ / "frames");
+    take_frames(manifest);
+    // The two meshes right after each other: many readers look at nothing else.
+    std::ranges::stable_partition(
+        arriving, [](const ResultFile& file) { return !file.name.ends_with(".obj"); });
     for (const ResultFile& file : arriving)
-      rename_or_refuse(committed / file.name, folder_ / file.name);
-    for (const ResultFile& file : earlier_) ::unlink((folder_ / file.name).c_str());
-    if (!earlier_.empty()) ::rmdir((folder_ / "frames").c_str());
+      if (is_there(committed / file.name))
+        rename_or_refuse(committed / file.name, folder_ / file.name);
+    remove_obsolete(manifest);
     rename_or_refuse(committed / kManifest, folder_ / kManifest);
     earlier_ = manifest;
   }
   remove_own(committed);
   sync_folder(folder_);
+}
+
+// As a folder where that has nothing else in it, so that the frames of two results hardly mix.
+void ResultFolder::take_frames(const Manifest& manifest) const {
+  const fs::path committed = folder_ / kCommitted;
+  const fs::path frames = folder_ / kFrames;
+  const bool are_all_here = std::ranges::all_of(manifest, [&](const ResultFile& file) {
+    return !is_frame(file.name) || is_there(committed / file.name);
+  });
+  if (are_all_here && has_only_own_frames()) {
+    make_folder(committed / kEarlier);
+    rename_or_refuse(frames, committed / kEarlier / kFrames);
+  }
+  if (is_there(committed / kFrames) && !is_there(frames))
+    rename_or_refuse(committed / kFrames, frames);
+}
+
+bool ResultFolder::has_only_own_frames() const {
+  bool is_empty = true;
+  for (const std::string& name : names_below(folder_)) {
+    if (!is_frame(name)) continue;
+    if (!is_own(name)) return false;
+    is_empty = false;
+  }
+  return !is_empty;
+}
+
+void ResultFolder::remove_obsolete(const Manifest& manifest) const {
+  bool are_frames_among = false;
+  for (const ResultFile& file : earlier_) {
+    if (names(manifest, file.name) || !is_own(file.name)) continue;
+    ::unlink((folder_ / file.name).c_str());
+    are_frames_among |= is_frame(file.name);
+  }
+  if (are_frames_among) ::rmdir((folder_ / kFrames).c_str());
 }
 
 }  // namespace foldless

@@ -56,7 +56,13 @@ class ResultFolder {
   void commit();
 
  private:
+  /// True for a file that is as the earlier result left it.
+  bool is_own(const std::string& name) const;
+  bool has_only_own_frames() const;
   void take_names();
+  void take_frames(const Manifest& manifest) const;
+  /// Removes files of the earlier result that are not in the new one.
+  void remove_obsolete(const Manifest& manifest) const;
 
   std::filesystem::path folder_;
   bool was_made_;
