@@ -32,6 +32,7 @@ VertexUpdate step_along(const Points& step, NewtonSystem& system, MeshPair& mesh
 
 std::optional<double> factorize_clamped(NewtonSystem& system, const std::stop_token& token,
                                         double last_shift) {
+  system.analyze();
   for (double mu = std::max(kLeastShift, last_shift / kShiftFactor); mu < kLargestShift;
        mu *= kShiftFactor) {
     if (token.stop_requested()) return std::nullopt;

@@ -49,6 +49,20 @@ TEST(Memory, HeadersThatPromiseMuchAreRefusedWithoutIt) {
   }
 }
 
+TEST(Memory, AChunkThatPromisesMuchIsRefusedWithoutIt) {
+  if (!kIsMeasurable) GTEST_SKIP() << "sanitizers take memory of their own";
+  const TemporaryFolder folder;
+  const std::string scene = folder / "scene.json";
+  test::write_scene(scene, test::grid_problem(3, Vec2(2, 2)));
+  constexpr std::size_t kHeaderEnd = 33;
+  const std::string header = encode_png(Image(4, 4)).substr(0, kHeaderEnd);
+  write_text(folder / "a.png", header + "\x7F\xFF\xFF\xFFzTXtabc");
+  const Ended ended = draw(folder, scene, folder / "a.png");
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find("a.png: the PNG image is damaged"), std::string::npos) << ended.err;
+  EXPECT_LT(ended.peak, 500);
+}
+
 TEST(Memory, APictureTakesAtMostThriceItsDecodedSize) {
   if (!kIsMeasurable) GTEST_SKIP() << "sanitizers take memory of their own";
   const TemporaryFolder folder;
