@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/cli_calls.h"
+#include "app/cli_streams.h"
 
 namespace foldless {
 namespace {
@@ -36,7 +37,10 @@ std::string line_of(std::string message) {
 
 int run_command_line(int argc, const char* const* argv, const OpenEditor& open_editor) {
   try {
-    return std::visit(Runner{open_editor}, parse_arguments(argc, argv));
+    prepare_streams();
+    const int status = std::visit(Runner{open_editor}, parse_arguments(argc, argv));
+    expect_output_arrived();
+    return status;
   } catch (const std::bad_alloc&) {
     std::cerr << "foldless: not enough memory\n";
   } catch (const std::exception& error) {

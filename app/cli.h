@@ -8,9 +8,10 @@
 namespace foldless {
 
 /// Exit statuses of every call.
-inline constexpr int kExitDone = 0;           ///< done, and every handle satisfied
-inline constexpr int kExitNotSatisfied = 1;   ///< ran to its end, but not so; results are written
-inline constexpr int kExitBadInput = 2;       ///< bad input or usage; nothing was written
+inline constexpr int kExitDone = 0;          ///< done, and every handle satisfied
+inline constexpr int kExitNotSatisfied = 1;  ///< ran to its end, but not so; results are written
+/// Bad input or usage, and nothing was written; or what was printed did not arrive.
+inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitInterrupted = 130;  ///< interrupted; the last valid mesh is written
 
 /// Opens the editor on a scene, mesh or image, or on the built-in sample, and returns the exit

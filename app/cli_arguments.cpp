@@ -80,7 +80,7 @@ std::string sample() {
 
 /// The options of one call as text, until they are read.
 struct Texts {
-  std::string frames, start, size, view, layers, methods, only;
+  std::string frames, start, time_limit, size, view, layers, methods, only;
   std::array<std::string, kNumberOptions.size()> numbers;
 };
 
@@ -91,6 +91,13 @@ void read_start(const std::string& word, SolveCall& call) {
     throw Error("--start " + in_quotes(word) +
                 " is unknown; choose one of: " + words_of(key.words));
   call.parameters.push_back({std::string(key.name), *index});
+}
+
+double read_seconds(const std::string& text) {
+  const auto seconds = parse_number(text);
+  if (!seconds || *seconds <= 0)
+    throw Error("--time-limit takes a number of seconds above 0, not " + in_quotes(text));
+  return *seconds;
 }
 
 void read_solve(const Texts& texts, SolveCall& call) {
@@ -112,6 +119,7 @@ void read_solve(const Texts& texts, SolveCall& call) {
   else if (!texts.frames.empty())
     call.frame_step =
         positive_integer(texts.frames, "--frames takes `all` or a number of 1 or more");
+  if (!texts.time_limit.empty()) call.time_limit = read_seconds(texts.time_limit);
   if (call.threads && *call.threads < 1) throw Error("--threads takes a number of 1 or more");
 }
 
@@ -194,6 +202,10 @@ CLI::App* add_solve(CLI::App& app, SolveCall& call, Texts& texts) {
       ->type_name("NAME");
   solve->add_option("--frames", texts.frames, "write all intermediate meshes, or every N-th")
       ->type_name("all|N");
+  solve
+      ->add_option("--time-limit", texts.time_limit,
+                   "processor seconds of solving; what was reached by then is written")
+      ->type_name("SECONDS");
   solve->add_flag("--render", call.render, "draw the result and every frame as PNG");
   solve->add_option("--threads", call.threads, "threads for drawing; the solver itself uses one")
       ->type_name("N");

@@ -19,7 +19,7 @@
 #include "app/cli_calls.h"
 #include "app/cli_interrupt.h"
 #include "app/cli_problem.h"
-#include "app/cli_results.h"
+#include "app/cli_result_folder.h"
 #include "core/files/atomic_file.h"
 #include "core/method/methods.h"
 

@@ -32,6 +32,7 @@ struct SolveCall {
   std::string energy;                       ///< empty: that of the scene
   std::vector<ParameterOption> parameters;  ///< instead of those of the scene
   std::optional<int> frame_step;            ///< a frame every so many meshes; absent: no frames
+  std::optional<double> time_limit;         ///< processor seconds of solving; absent: none
   bool render = false;                      ///< a picture of the result and of every frame
   std::optional<int> threads;               ///< for drawing; absent: as many as there are cores
   bool json = false;                        ///< the report on stdout, and nothing else

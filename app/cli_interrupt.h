@@ -5,22 +5,22 @@
 
 namespace foldless {
 
-/// While it lives, SIGINT and SIGTERM wait instead of ending the program, so that it can end by
-/// itself with whole files. To be made before any thread is started.
+/// While it lives, SIGINT and SIGTERM are noted instead of ending the program, whichever thread
+/// they reach, so that it can end by itself with whole files. One that was ignored stays so, as
+/// under nohup. One at a time.
 class Interrupt {
  public:
   Interrupt();
-  /// Forgets signals that came meanwhile.
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  /// True once one of them has come.
+  /// True once one of them has come. Any thread may ask.
   bool is_requested() const;
 
  private:
-  sigset_t signals_;   ///< the two
-  sigset_t previous_;  ///< the mask before
+  struct sigaction previous_int_ {};
+  struct sigaction previous_term_ {};
 };
 
 }  // namespace foldless

@@ -59,7 +59,7 @@ int render(const RenderCall& call) {
   Subject subject = read_subject(call.file);
   if (call.texture) subject.texture = call.texture;
   FigureOptions figure = call.figure;
-  if (subject.texture) figure.texture = load_image(*subject.texture);
+  if (subject.texture) figure.texture = std::make_shared<const Image>(load_image(*subject.texture));
   save_png(call.picture, render_figure(subject.snapshot, figure),
            {{"Software", "Foldless"}, {"Scene", call.file}});
   return kExitDone;

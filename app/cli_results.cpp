@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <string>
-#include <system_error>
 #include <utility>
 
-#include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/iterations_csv.h"
 #include "core/files/mesh_io.h"
@@ -16,22 +14,6 @@ namespace foldless {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// True for 000000.obj, 000000.png and the like.
-bool is_frame(const fs::path& file) {
-  const std::string stem = file.stem().string();
-  const bool is_number =
-      stem.size() >= 6 && std::ranges::all_of(stem, [](char c) { return '0' <= c && c <= '9'; });
-  return is_number && (file.extension() == ".obj" || file.extension() == ".png");
-}
-
-void remove_frames(const fs::path& frames) {
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(frames, ignored))
-    if (is_frame(entry.path())) fs::remove(entry.path(), ignored);
-  // Removes the folder where nothing else is in it.
-  fs::remove(frames, ignored);
-}
 
 /// Room for what a mesh does between its start and its targets.
 Box widened(Box box) {
@@ -51,29 +33,22 @@ ImageTexts texts_of(const Snapshot& snapshot) {
 
 }  // namespace
 
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw Error(folder.string() + ": cannot be made: " + failure.message());
-  if (!fs::is_directory(folder)) throw Error(folder.string() + ": is not a folder");
-}
-
-Results::Results(fs::path folder, const std::optional<FigureOptions>& figure)
-    : folder_(std::move(folder)) {
+Results::Results(fs::path folder, bool has_frames, const std::optional<FigureOptions>& figure)
+    // A context first: without one nothing is to be written.
+    : renderer_(figure ? std::make_unique<FigureRenderer>() : nullptr), folder_(std::move(folder)) {
   if (figure) figure_ = frame_figure_ = *figure;
-  // A context first: without one nothing is to be written.
-  if (figure) renderer_ = std::make_unique<FigureRenderer>();
-  make_folder(folder_);
-  remove_frames(folder_ / "frames");
-  std::error_code ignored;
-  if (!figure) fs::remove(folder_ / "deformed.png", ignored);
+  for (const char* name : {"rest.obj", "deformed.obj", "iterations.csv", "report.json"})
+    folder_.expect_free(name);
+  if (figure) folder_.expect_free("deformed.png");
+  if (has_frames) folder_.expect_free_frames();
 }
 
 void Results::add_frame(const Snapshot& snapshot) {
-  if (frames_ == 0) make_folder(folder_ / "frames");
+  const fs::path frames = folder_.staged() / "frames";
+  if (frames_ == 0) make_folder(frames);
   std::string number = std::to_string(frames_++);
   number.insert(0, 6 - std::min<std::size_t>(6, number.size()), '0');
-  const fs::path file = folder_ / "frames" / number;
+  const fs::path file = frames / number;
   write_mesh(file.string() + ".obj", *snapshot.triangles, snapshot.deformed, snapshot.rest.get());
   if (!renderer_) return;
   // All frames show what the first one does and a little more, so that they make a film.
@@ -84,11 +59,13 @@ void Results::add_frame(const Snapshot& snapshot) {
 void Results::finish(const Solved& solved, const JsonNode& report) {
   const Snapshot& state = *solved.snapshot;
   const Points& rest = *state.rest;
-  write_mesh(folder_ / "rest.obj", *state.triangles, rest, &rest);
-  write_mesh(folder_ / "deformed.obj", *state.triangles, state.deformed, &rest);
-  write_file_atomically(folder_ / "iterations.csv", iterations_csv(solved.iterations));
-  write_file_atomically(folder_ / "report.json", json_text(report));
-  if (renderer_) draw(state, figure_, folder_ / "deformed.png");
+  const fs::path staged = folder_.staged();
+  write_mesh(staged / "rest.obj", *state.triangles, rest, &rest);
+  write_mesh(staged / "deformed.obj", *state.triangles, state.deformed, &rest);
+  write_file_atomically(staged / "iterations.csv", iterations_csv(solved.iterations));
+  write_file_atomically(staged / "report.json", json_text(report));
+  if (renderer_) draw(state, figure_, staged / "deformed.png");
+  folder_.commit();
 }
 
 void Results::draw(const Snapshot& snapshot, const FigureOptions& figure, const fs::path& picture) {

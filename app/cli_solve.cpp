@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/bench/stop_watch.h"
 #include "app/cli.h"
 #include "app/cli_calls.h"
 #include "app/cli_interrupt.h"
@@ -41,7 +42,8 @@ std::optional<FigureOptions> figure_of(const SolveCall& call, const Scene& scene
   // Read by Mesa's software renderer when its context is made.
   if (call.threads) setenv("LP_NUM_THREADS", std::to_string(*call.threads).c_str(), 1);
   FigureOptions figure;
-  if (!scene.texture_path.empty()) figure.texture = load_image(scene.folder / scene.texture_path);
+  if (!scene.texture_path.empty())
+    figure.texture = std::make_shared<const Image>(load_image(scene.folder / scene.texture_path));
   return figure;
 }
 
@@ -76,16 +78,17 @@ auto timed(double& seconds, const Task& task) {
   return task();
 }
 
-/// Steps a run to its end, or until the user interrupts, and writes frames on the way.
+/// Steps a run to its end, or until it is stopped, and writes frames on the way.
 class Loop {
  public:
   Loop(const SolveCall& call, Solved& solved, Results& results)
       : call_(call), solved_(solved), results_(results), progress_(!call.quiet && !call.json) {}
 
-  void finish(Run run, const Interrupt& interrupt) {
+  void finish(Run run, const StopWatch& watch) {
     take_frame(run.snapshot());
-    while (!run.outcome() && !interrupt.is_requested()) {
-      const std::optional<Iteration> record = timed(solved_.seconds, [&] { return run.step({}); });
+    while (!run.outcome()) {
+      const std::optional<Iteration> record =
+          timed(solved_.seconds, [&] { return run.step(watch.token()); });
       if (!record) break;
       solved_.iterations.push_back(*record);
       progress_.show(*record);
@@ -93,7 +96,8 @@ class Loop {
     }
     if (call_.frame_step && last_frame_ != run.snapshot()) results_.add_frame(*run.snapshot());
     solved_.snapshot = run.snapshot();
-    solved_.outcome = run.outcome().value_or(Outcome::cancelled);
+    solved_.outcome =
+        run.outcome().value_or(watch.is_time_over() ? Outcome::time_limit : Outcome::cancelled);
     solved_.verdict = run.verdict();
     solved_.satisfied = run.is_satisfied();
     solved_.times = run.times();
@@ -134,7 +138,8 @@ void print_summary(const SolveCall& call, const Solved& solved) {
 
 int status_of(const Solved& solved) {
   if (solved.outcome == Outcome::cancelled) return kExitInterrupted;
-  return solved.satisfied ? kExitDone : kExitNotSatisfied;
+  const bool has_ended = solved.outcome != Outcome::time_limit;
+  return solved.satisfied && has_ended ? kExitDone : kExitNotSatisfied;
 }
 
 }  // namespace
@@ -145,14 +150,16 @@ int solve(const SolveCall& call) {
   Scene& scene = loaded.scene;
   apply_options(call, scene);
   const Interrupt interrupt;
+  const StopWatch watch(
+      {.time_limit = call.time_limit, .is_interrupted = [&] { return interrupt.is_requested(); }});
   Solved solved;
   solved.scene = call.scene.string();
   solved.problem = problem_of(scene);
   solved.original_faces = static_cast<int>(scene.triangles.cols());
   Run run = timed(solved.seconds, [&] { return Run(solved.problem); });
-  Results results(call.folder, figure_of(call, scene));
+  Results results(call.folder, call.frame_step.has_value(), figure_of(call, scene));
   if (!call.quiet) print_notices(loaded.notices);
-  Loop(call, solved, results).finish(std::move(run), interrupt);
+  Loop(call, solved, results).finish(std::move(run), watch);
   solved.wall_seconds = seconds_since(start);
   const JsonNode report = report_of(solved);
   results.finish(solved, report);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/cli_result_folder.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/mesh/injective.h"
@@ -46,7 +47,8 @@ Handle read_handle(const JsonValue& value, Eigen::Index vertex_count) {
 }  // namespace
 
 MeshFiles read_mesh_files(const fs::path& rest, const fs::path& deformed) {
-  MeshFiles files{read_mesh_of_any_shape(rest), read_mesh_of_any_shape(deformed)};
+  MeshFiles files{read_mesh_of_any_shape(newest_of_result(rest)),
+                  read_mesh_of_any_shape(newest_of_result(deformed))};
   const auto count = [](const LoadedMesh& mesh) {
     return std::to_string(mesh.points.cols()) + " vertices and " +
            std::to_string(mesh.triangles.cols()) + " triangles";
@@ -81,7 +83,7 @@ Snapshot read_pair(const fs::path& rest, const fs::path& deformed) {
 
 Snapshot read_solved_folder(const fs::path& folder) {
   Snapshot snapshot = read_pair(folder / "rest.obj", folder / "deformed.obj");
-  const fs::path file = folder / "report.json";
+  const fs::path file = newest_of_result(folder / "report.json");
   if (!fs::exists(file)) return snapshot;
   const std::string name = file.string();
   const JsonNode node = parse_json(read_file(file), name);

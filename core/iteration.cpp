@@ -11,6 +11,7 @@ std::string_view name_of(Outcome outcome) {
     case Outcome::infeasible: return "infeasible";
     case Outcome::not_converged: return "not-converged";
     case Outcome::cancelled: return "cancelled";
+    case Outcome::time_limit: return "time-limit";
   }
   return "";
 }

@@ -23,11 +23,12 @@ enum class Outcome {
   iteration_limit,  ///< N_in or N_out reached
   infeasible,       ///< proved: no map meets the constraints, see Method::verdict()
   not_converged,    ///< ended without a map that meets them and without a proof
-  cancelled         ///< stopped from outside; the last valid mesh stands
+  cancelled,        ///< stopped from outside; the last valid mesh stands
+  time_limit        ///< the same, because the time that was given is over
 };
 
-/// `gradient`, `step`, `iteration-limit`, `infeasible`, `not-converged`, `cancelled`: the words of
-/// report.json.
+/// `gradient`, `step`, `iteration-limit`, `infeasible`, `not-converged`, `cancelled`,
+/// `time-limit`: the words of report.json.
 std::string_view name_of(Outcome outcome);
 /// The words of iterations.csv: those of the enumeration.
 std::string_view name_of(Phase phase);

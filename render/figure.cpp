@@ -109,13 +109,13 @@ struct FigureRenderer::Parts {
   ~Parts() { context.make_current(); }
 
   void fit_target(const FigureOptions& options);
-  void fit_texture(const std::optional<Image>& image);
+  void fit_texture(const std::shared_ptr<const Image>& image);
 
   Offscreen context{1, 1, 1};
   SceneRenderer scene;
   std::optional<RenderTarget> target;
   int samples_asked = 0;
-  std::optional<Image> texture;
+  std::shared_ptr<const Image> texture;
 };
 
 void FigureRenderer::Parts::fit_target(const FigureOptions& options) {
@@ -126,7 +126,7 @@ void FigureRenderer::Parts::fit_target(const FigureOptions& options) {
   target->bind();
 }
 
-void FigureRenderer::Parts::fit_texture(const std::optional<Image>& image) {
+void FigureRenderer::Parts::fit_texture(const std::shared_ptr<const Image>& image) {
   if (texture == image) return;
   image ? scene.set_texture(*image) : scene.clear_texture();
   texture = image;

@@ -27,9 +27,9 @@ struct FigureOptions {
   int height = 900;  ///< pixels
   int samples = 4;   ///< samples a pixel; fewer where the context refuses
   FigureView view = FigureView::deformed;
-  ViewOptions style = figure_style();  ///< its pose is set from `view`
-  std::optional<Image> texture;        ///< the checkerboard when absent
-  std::optional<Box> frame;            ///< world box to show; absent: the mesh and its targets
+  ViewOptions style = figure_style();    ///< its pose is set from `view`
+  std::shared_ptr<const Image> texture;  ///< null: the checkerboard
+  std::optional<Box> frame;              ///< world box to show; absent: the mesh and its targets
   bool miniature = false;  ///< the deformed mesh once more, small, filled, without its edges
 };
 

@@ -39,7 +39,7 @@ struct Image {
 using ImageTexts = std::map<std::string, std::string>;
 
 /// Reads a PNG, JPEG or WebP; its first bytes tell which. Throws Error when the file cannot be
-/// read, is none of these, is damaged, or is larger than 16384 pixels a side.
+/// read, is none of these, is damaged, or is larger than 16384 pixels a side or 2^26 pixels.
 Image load_image(const std::filesystem::path& path);
 
 /// PNG bytes of the image, its texts as Latin-1 or UTF-8 text chunks. Throws Error on an empty

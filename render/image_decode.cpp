@@ -3,7 +3,10 @@
 #include <turbojpeg.h>
 #include <webp/decode.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -16,6 +19,7 @@ namespace foldless {
 namespace {
 
 constexpr int kLongestSide = 16384;
+constexpr long kMostPixels = 1L << 26;  // as of 8192 × 8192: 256 MiB
 
 const unsigned char* bytes_of(std::string_view file) {
   return reinterpret_cast<const unsigned char*>(file.data());
@@ -27,6 +31,24 @@ void check_size(long width, long height) {
   if (width > kLongestSide || height > kLongestSide)
     throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
                 " pixels; scale it down to " + std::to_string(kLongestSide) + " a side or less");
+  if (width * height > kMostPixels)
+    throw Error("the image has " + std::to_string(width * height) + " pixels; scale it down to " +
+                std::to_string(kMostPixels) + " or less");
+}
+
+/// The chunks that make the picture. For texts and profiles libpng takes as much memory as they ask
+/// for, before it sees that they are not there or what they unpack to.
+std::string without_extras(std::string_view file) {
+  constexpr std::array<std::string_view, 7> kNeeded{"IHDR", "PLTE", "tRNS", "gAMA",
+                                                    "sRGB", "IDAT", "IEND"};
+  std::string needed(kPngSignature);
+  std::size_t begin = kPngSignature.size(), end = begin;
+  while (const auto chunk = next_png_chunk(file, end)) {
+    if (std::ranges::find(kNeeded, chunk->type) != kNeeded.end())
+      needed += file.substr(begin, end - begin);
+    begin = end;
+  }
+  return needed;
 }
 
 /// Frees what libpng holds, whichever way the function is left.
@@ -38,7 +60,8 @@ struct PngReader {
   PngReader& operator=(const PngReader&) = delete;
 };
 
-Image decode_png(std::string_view file) {
+Image decode_png(std::string_view whole) {
+  const std::string file = without_extras(whole);
   PngReader png;
   const auto damaged = [&] {
     return Error(std::string("the PNG image is damaged (") + png.image.message + ")");

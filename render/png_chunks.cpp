@@ -19,14 +19,6 @@ constexpr CrcTable make_crc_table() {
   return table;
 }
 
-std::uint32_t crc_of(std::string_view bytes) {
-  static constexpr CrcTable kTable = make_crc_table();
-  std::uint32_t crc = 0xFFFFFFFFU;
-  for (const char c : bytes)
-    crc = kTable[(crc ^ static_cast<unsigned char>(c)) & 255U] ^ (crc >> 8);
-  return ~crc;
-}
-
 std::string big_endian(std::uint32_t value) {
   return {static_cast<char>(value >> 24), static_cast<char>(value >> 16),
           static_cast<char>(value >> 8), static_cast<char>(value)};
@@ -40,10 +32,18 @@ std::uint32_t from_big_endian(std::string_view bytes) {
 
 }  // namespace
 
+std::uint32_t crc32_of(std::string_view bytes) {
+  static constexpr CrcTable kTable = make_crc_table();
+  std::uint32_t crc = 0xFFFFFFFFU;
+  for (const char c : bytes)
+    crc = kTable[(crc ^ static_cast<unsigned char>(c)) & 255U] ^ (crc >> 8);
+  return ~crc;
+}
+
 std::string png_chunk(const PngChunk& chunk) {
   const std::string checked = std::string(chunk.type) + std::string(chunk.data);
   return big_endian(static_cast<std::uint32_t>(chunk.data.size())) + checked +
-         big_endian(crc_of(checked));
+         big_endian(crc32_of(checked));
 }
 
 std::optional<PngChunk> next_png_chunk(std::string_view file, std::size_t& offset) {

@@ -11,6 +11,9 @@ namespace foldless {
 /// The first eight bytes of every PNG file.
 inline constexpr std::string_view kPngSignature{"\x89PNG\r\n\x1a\n", 8};
 
+/// CRC-32 of ISO 3309, as in PNG and zlib.
+std::uint32_t crc32_of(std::string_view bytes);
+
 /// A piece of a PNG file: what it is (four letters) and its bytes.
 struct PngChunk {
   std::string_view type;

@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/bench_pool.h"
 
-#include <pthread.h>
-
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <ctime>
 #include <mutex>
 #include <optional>
 #include <stop_token>
 #include <thread>
 
+#include "app/bench/stop_watch.h"
+
 namespace foldless {
 namespace {
-
-double seconds_on(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Processor time of the calling thread, readable from others.
-clockid_t own_clock() {
-  clockid_t clock{};
-  pthread_getcpuclockid(pthread_self(), &clock);
-  return clock;
-}
 
 /// A run that is under way, as the watching thread sees it.
 struct Watched {
@@ -50,7 +36,7 @@ class Pool {
     std::vector<BenchRow> finished;
     std::unique_lock lock(mutex_);
     while (ended_ < workers.size()) {
-      changed_.wait_for(lock, std::chrono::milliseconds(100));
+      changed_.wait_for(lock, std::chrono::milliseconds(10));
       stop_late_runs();
       if (observer.is_interrupted && observer.is_interrupted()) stop_all();
       report(observer, finished);

@@ -17,7 +17,7 @@ struct BenchOptions {
 
 /// What run_jobs() tells its caller, always on the calling thread.
 struct BenchObserver {
-  std::function<bool()> is_interrupted;               ///< asked ten times a second
+  std::function<bool()> is_interrupted;               ///< asked a hundred times a second
   std::function<void(const BenchRow& row)> finished;  ///< in the order of the jobs
 };
 

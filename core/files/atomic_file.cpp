@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -15,6 +16,9 @@ namespace foldless {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of a file that is read: a mesh of ten million triangles has less.
+constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
@@ -86,13 +90,6 @@ void write_in_place(const fs::path& file, std::string_view bytes) {
   if (error != 0) refuse_writing(file, error);
 }
 
-/// The rename itself lives in the folder. A folder that cannot be synced is no failure: the file
-/// is complete under its name.
-void sync_folder(const fs::path& folder) {
-  const Descriptor in(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (in.is_open()) ::fsync(in.number());
-}
-
 }  // namespace
 
 std::string read_file(const fs::path& file) {
@@ -101,13 +98,16 @@ std::string read_file(const fs::path& file) {
   std::string bytes;
   struct stat status {};
   if (::fstat(in.number(), &status) == 0 && S_ISREG(status.st_mode))
-    bytes.reserve(static_cast<std::size_t>(status.st_size));
+    bytes.reserve(std::min(static_cast<std::size_t>(status.st_size), kMostBytes));
   char block[1 << 16];
   for (;;) {
     const ssize_t n = ::read(in.number(), block, sizeof block);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) refuse_reading(file, errno);
     if (n == 0) return bytes;
+    if (bytes.size() + static_cast<std::size_t>(n) > kMostBytes)
+      throw Error(file.string() + ": has more than " + std::to_string(kMostBytes) +
+                  " bytes, the most that is read");
     bytes.append(block, static_cast<std::size_t>(n));
   }
 }
@@ -130,6 +130,12 @@ void write_file_atomically(const fs::path& file, std::string_view bytes) {
     refuse_writing(file, error);
   }
   sync_folder(folder);
+}
+
+// A folder that cannot be synced is no failure: a file is complete under its name.
+void sync_folder(const fs::path& folder) {
+  const Descriptor in(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (in.is_open()) ::fsync(in.number());
 }
 
 }  // namespace foldless

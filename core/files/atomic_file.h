@@ -7,7 +7,7 @@
 
 namespace foldless {
 
-/// All bytes of a file. Throws Error when it is missing, a folder or unreadable.
+/// All bytes of a file. Throws Error when it is missing, a folder, unreadable or larger than 1 GiB.
 std::string read_file(const std::filesystem::path& file);
 
 /// Replaces a file as a whole: the bytes go to a temporary file in the same folder, reach the
@@ -15,5 +15,8 @@ std::string read_file(const std::filesystem::path& file);
 /// Permissions of a replaced file are kept; a symbolic link is followed; a device or pipe is
 /// written to. Throws Error when that fails, and leaves no temporary file.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
+
+/// Waits until the names in a folder have reached the disk, where the file system can do that.
+void sync_folder(const std::filesystem::path& folder);
 
 }  // namespace foldless

@@ -113,10 +113,11 @@ class Coarsening {
 
 }  // namespace
 
-CoarseMesh coarsened(const MeshPair& mesh, const std::vector<int>& kept, int goal) {
+CoarseMesh coarsened(const MeshPair& mesh, const std::vector<int>& kept, int goal,
+                     const std::stop_token& token) {
   Coarsening coarsening(mesh, kept);
   int left = mesh.vertex_count();
-  while (left > goal) {
+  while (left > goal && !token.stop_requested()) {
     const int gone = coarsening.pass(left - goal);
     left -= gone;
     if (gone < kLeastGainOfAPass * left) break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/mesh/mesh_pair.h"
@@ -17,7 +18,8 @@ struct CoarseMesh {
 /// go. The boundary, the vertices of `kept` and those that no triangle uses stay, so that the rest
 /// domain is the same; rest triangles stay round and grow with the distance from what is kept. The
 /// vertices that are left have the positions they had: M is valid, whether M′ is is the caller's to
-/// check.
-CoarseMesh coarsened(const MeshPair& mesh, const std::vector<int>& kept, int goal);
+/// check. Once the token is set it goes no further.
+CoarseMesh coarsened(const MeshPair& mesh, const std::vector<int>& kept, int goal,
+                     const std::stop_token& token = {});
 
 }  // namespace foldless

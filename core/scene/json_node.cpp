@@ -13,6 +13,8 @@ namespace foldless {
 namespace {
 
 constexpr std::size_t kMaxDepth = 100;
+constexpr std::size_t kMaxKeys = 10000;       // of one object
+constexpr std::size_t kMaxValues = 30000000;  // of a file: a mesh of two million triangles has less
 
 /// Lines seen by the library's parser, which tells its handler no positions. It reads one
 /// character beyond a number, and that may be the end of the line: only what is not blank counts.
@@ -80,6 +82,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool key(std::string& key) override {
     auto& object = std::get<JsonNode::Object>(open_.back()->value);
+    if (object.size() == kMaxKeys)
+      refuse("an object has more than " + std::to_string(kMaxKeys) + " keys");
     for (const auto& [known, value] : object)
       if (known == key)
         refuse("the key " + in_quotes(key) + " comes twice, first in line " +
@@ -108,6 +112,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   template <typename Value>
   JsonNode& place(Value value) {
+    if (++count_ > kMaxValues)
+      refuse("there are more than " + std::to_string(kMaxValues) + " values");
     JsonNode* node = &root;
     if (!open_.empty()) {
       auto& parent = open_.back()->value;
@@ -140,6 +146,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   const std::string& name_;
   const LineCounter& lines_;
+  std::size_t count_ = 0;        ///< of values so far
   std::vector<JsonNode*> open_;  ///< a node stays where it is until it is closed
 };
 

@@ -41,7 +41,8 @@ JsonNode node_of(double value);
 JsonNode node_of(std::string_view text);
 
 /// Parses a JSON text. Throws Error `NAME:LINE: ...` when it is not JSON, when an object has a key
-/// twice, when a number is too large, and for more than a hundred nested levels.
+/// twice, when a number is too large, and for more than a hundred nested levels, ten thousand keys
+/// of an object or thirty million values.
 JsonNode parse_json(std::string_view text, const std::string& name);
 
 /// The text of a value, ended by a newline: points, triangles and handles on a line each. Every

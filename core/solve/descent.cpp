@@ -32,6 +32,7 @@ VertexUpdate step_along(const Points& step, NewtonSystem& system, MeshPair& mesh
 
 std::optional<double> factorize_clamped(NewtonSystem& system, const std::stop_token& token,
                                         double last_shift) {
+  system.analyze();
   for (double mu = std::max(kLeastShift, last_shift / kShiftFactor); mu < kLargestShift;
        mu *= kShiftFactor) {
     if (token.stop_requested()) return std::nullopt;
@@ -44,6 +45,7 @@ VertexUpdate Descent::step(NewtonSystem& system, MeshPair& mesh, const Energy& e
                            const std::stop_token& token) {
   if (clamping_ < 1) {
     system.assemble(energy, mesh.deformed(), clamping_);
+    if (token.stop_requested()) return {.cancelled = true};
     if (const std::optional<Points> step = step_if_definite(system)) {
       VertexUpdate update = step_along(*step, system, mesh, energy);
       update.clamping = clamping_;

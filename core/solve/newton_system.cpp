@@ -58,11 +58,13 @@ void NewtonSystem::assemble_gradient(const Energy& energy, const Points& u) {
   first_order_ = objective_.gradient(energy, u);
 }
 
+void NewtonSystem::analyze() {
+  StageTimer timer(effort_->times.analyze);
+  factor_.analyze(hessian_.matrix);
+}
+
 bool NewtonSystem::factorize(double mu) {
-  {
-    StageTimer timer(effort_->times.analyze);
-    factor_.analyze(hessian_.matrix);
-  }
+  analyze();
   StageTimer timer(effort_->times.factorize);
   ++effort_->factorizations;
   return factor_.factorize(hessian_, mu);
@@ -76,6 +78,8 @@ bool NewtonSystem::factorize_plain() {
 
 std::optional<double> NewtonSystem::factorize_damped(bool plain_failed,
                                                      const std::stop_token& token) {
+  analyze();
+  if (token.stop_requested()) return std::nullopt;
   if (!plain_failed && factorize_plain()) return 0;
   double mu = 0;
   for (bool first = true; lambda_ <= kLargestLambda; first = false) {

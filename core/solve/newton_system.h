@@ -44,6 +44,9 @@ class NewtonSystem {
   const Eigen::VectorXd& gradient() const { return first_order_.gradient; }
   /// True when the factor of ∇²E itself, as last assembled, is at hand.
   bool has_plain_factor() const { return factor_.is_exact(); }
+  /// Orders the unknowns for the pattern as last assembled, where that is not done: what comes
+  /// before a factorization, so that a cancellation need not wait for both.
+  void analyze();
   /// Factorizes ∇²E + μI as last assembled; false when it is not positive definite. Counts H.
   bool factorize(double mu);
   /// True when ∇²E itself is positive definite; its factor then serves the next solve.

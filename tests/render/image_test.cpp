@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "render/png_chunks.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
@@ -45,6 +46,11 @@ int largest_difference(const Image& a, const Image& b) {
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
     largest = std::max(largest, std::abs(a.pixels[i] - b.pixels[i]));
   return largest;
+}
+
+std::string big_endian(std::uint32_t number) {
+  return {static_cast<char>(number >> 24), static_cast<char>(number >> 16),
+          static_cast<char>(number >> 8), static_cast<char>(number)};
 }
 
 std::string jpeg_of(const Image& image) {
@@ -138,6 +144,31 @@ TEST(Image, RefusesASizeBeforeItAsksForMemory) {
   std::string file = encode_png(random_image(2, 2, 9));
   file[18] = '\x7F';  // width 2 + 0x7F00
   EXPECT_NE(error_of([&] { load_image(folder.write("a.png", file)); }), "");
+}
+
+TEST(Image, TakesNoMoreThanTheMostPixels) {
+  const TemporaryFolder folder;
+  std::string file = encode_png(random_image(2, 2, 9));
+  file.replace(16, 8, std::string("\0\0\x20\0\0\0\x20\1", 8));  // 8192 × 8193
+  file.replace(29, 4, big_endian(crc32_of(std::string_view(file).substr(12, 17))));
+  const std::string error = error_of([&] { load_image(folder.write("a.png", file)); });
+  EXPECT_NE(error.find("67117056 pixels; scale it down to 67108864"), std::string::npos) << error;
+}
+
+TEST(Image, IgnoresChunksThatArePromisedAndNotThere) {
+  const TemporaryFolder folder;
+  const Image image = random_image(3, 2, 4);
+  const std::string whole = encode_png(image);
+  const std::size_t header_end = 33;
+  for (const char* type : {"zTXt", "iCCP", "tEXt", "eXIf"}) {
+    const std::string promise = std::string("\x7F\xFF\xFF\xFF", 4) + type;
+    const auto cut = folder.write("cut.png", whole.substr(0, header_end) + promise + "abc");
+    EXPECT_NE(error_of([&] { load_image(cut); }), "") << type;
+    const std::string extra = png_chunk({type, "nonsense"});
+    std::string with = whole;
+    with.insert(header_end, extra);
+    EXPECT_EQ(load_image(folder.write("with.png", with)), image) << type;
+  }
 }
 
 TEST(Image, RandomBytesAfterAHeaderNeverCrash) {

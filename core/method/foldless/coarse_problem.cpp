@@ -30,15 +30,15 @@ std::vector<int> handle_vertices(const Problem& problem) {
 
 }  // namespace coarse
 
-std::optional<CoarseProblem> coarse_problem(const Problem& problem,
-                                            const CoarseSettings& settings) {
+std::optional<CoarseProblem> coarse_problem(const Problem& problem, const CoarseSettings& settings,
+                                            const std::stop_token& token) {
   using namespace coarse;
   const int count = problem.mesh.vertex_count();
   const double short_way = settings.short_way * bounding_box_diagonal(problem.mesh.rest());
   if (count < settings.dense_from || longest_way(problem) < short_way) return std::nullopt;
   CoarseMesh coarse = coarsened(problem.mesh, handle_vertices(problem),
-                                std::max(settings.least_vertices, count / settings.ratio));
-  if (coarse.mesh.vertex_count() > kLargestPart * count ||
+                                std::max(settings.least_vertices, count / settings.ratio), token);
+  if (token.stop_requested() || coarse.mesh.vertex_count() > kLargestPart * count ||
       !is_injective(coarse.mesh.triangles(), coarse.mesh.deformed()))
     return std::nullopt;
   Problem small{std::move(coarse.mesh), problem.energy, problem.handles, problem.parameters};

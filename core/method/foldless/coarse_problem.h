@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/method/method.h"
@@ -23,7 +24,8 @@ struct CoarseProblem {
 };
 
 /// Nothing where the mesh is not dense, where handles are near their targets, or where few vertices
-/// may go.
-std::optional<CoarseProblem> coarse_problem(const Problem& problem, const CoarseSettings& settings);
+/// may go, or once the token is set.
+std::optional<CoarseProblem> coarse_problem(const Problem& problem, const CoarseSettings& settings,
+                                            const std::stop_token& token = {});
 
 }  // namespace foldless

@@ -65,6 +65,12 @@ struct CoarseStep {
 };
 bool is_cancelled(const CoarseStep& step) { return step.cancelled; }
 
+/// Coarsening a large mesh takes long; it is done again with the next step when it was cancelled.
+struct Coarsening {
+  bool cancelled = false;
+};
+bool is_cancelled(const Coarsening& coarsening) { return coarsening.cancelled; }
+
 }  // namespace driver
 
 Foldless::Foldless(const Problem& problem, const CoarseSettings& dense)
@@ -140,7 +146,12 @@ Steps<Outcome> Foldless::solve(Start start) {
 
 // The paper's future work: Newton's steps are spent where they are cheap.
 Steps<> Foldless::coarse_to_fine() {
-  std::optional<CoarseProblem> coarse = coarse_problem(problem_, dense_);
+  std::optional<CoarseProblem> coarse;
+  const auto coarsen = [&](const std::stop_token& token) {
+    coarse = coarse_problem(problem_, dense_, token);
+    return driver::Coarsening{token.stop_requested()};
+  };
+  co_await vertex_update(coarsen);
   if (!coarse) co_return;
   Foldless run(coarse->problem, dense_);
   const Effort before = effort();

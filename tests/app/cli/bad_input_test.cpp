@@ -72,6 +72,7 @@ TEST(BadInput, OptionsAreRefusedByName) {
       {"--inner", "2.5"},    {"--outer", "1e99"},
       {"--frames", "0"},     {"--frames", "some"},
       {"--threads", "0"},    {"--fast"},
+      {"--time-limit", "0"}, {"--time-limit", "soon"},
   };
   for (const auto& options : calls) {
     std::vector<std::string> arguments{"solve", scene, "-o", out};

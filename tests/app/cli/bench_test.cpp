@@ -87,16 +87,21 @@ TEST(Bench, ReproducesAPartOfThePaper) {
                                       "results.json", "table1.csv", "table1.md"}));
 }
 
-TEST(Bench, InterruptedItWritesWhatIsThere) {
+void interrupt_bench_with(int signal) {
   const TemporaryFolder folder;
   Command command({"bench", "--suite", "random", "--only", "5,23", "--method", "paper-noflip", "-o",
                    folder / "out", "--keep", folder / "scenes"});
   while (names_in(folder / "scenes").size() < 2) std::this_thread::yield();
-  command.send(SIGINT);
+  command.send(signal);
   const Ended ended = command.wait();
   EXPECT_EQ(ended.status, 130);
   EXPECT_EQ(names_in(folder / "out"),
             (std::vector<std::string>{"results.csv", "results.json", "summary.md"}));
+}
+
+TEST(Bench, InterruptedOrTerminatedItWritesWhatIsThere) {
+  interrupt_bench_with(SIGINT);
+  interrupt_bench_with(SIGTERM);
 }
 
 TEST(Bench, RefusesWhatItDoesNotUnderstand) {

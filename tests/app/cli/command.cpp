@@ -2,6 +2,7 @@
 #include "tests/app/cli/command.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -47,16 +48,29 @@ fs::path new_folder() {
 
 }  // namespace
 
-Command::Command(const std::vector<std::string>& arguments, OpenEditor open_editor)
-    : folder_(new_folder()) {
+bool Command::fork_off() {
+  folder_ = new_folder();
   std::cout.flush();
   std::cerr.flush();
   process_ = fork();
   if (process_ < 0) throw std::runtime_error("no process for a call of the program");
-  if (process_ > 0) return;
+  if (process_ > 0) return false;
   redirect(STDOUT_FILENO, folder_ / "out");
   redirect(STDERR_FILENO, folder_ / "err");
-  call(arguments, open_editor);
+  return true;
+}
+
+Command::Command(const std::vector<std::string>& arguments, OpenEditor open_editor) {
+  if (fork_off()) call(arguments, open_editor);
+}
+
+Command::Command(const std::vector<std::string>& arguments, const fs::path& out) {
+  if (!fork_off()) return;
+  if (out.empty())
+    close(STDOUT_FILENO);
+  else
+    redirect(STDOUT_FILENO, out);
+  call(arguments, {});
 }
 
 Command::~Command() {
@@ -72,10 +86,11 @@ void Command::send(int signal) const { kill(process_, signal); }
 
 Ended Command::wait() {
   int status = 0;
-  waitpid(process_, &status, 0);
+  rusage usage{};
+  wait4(process_, &status, 0, &usage);
   process_ = -1;
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(folder_ / "out"),
-          read_text(folder_ / "err")};
+          read_text(folder_ / "err"), static_cast<double>(usage.ru_maxrss) / 1024};
 }
 
 Ended run(const std::vector<std::string>& arguments) { return Command(arguments).wait(); }

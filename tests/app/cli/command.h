@@ -18,12 +18,15 @@ struct Ended {
   int status = -1;  ///< exit status; negative: the signal that killed it
   std::string out;  ///< what it printed on stdout
   std::string err;  ///< and on stderr
+  double peak = 0;  ///< the most memory that it had [MiB]
 };
 
 /// The program with these arguments in a process of its own, without a display.
 class Command {
  public:
   explicit Command(const std::vector<std::string>& arguments, OpenEditor open_editor = {});
+  /// With stdout into a device, or closed where `out` is empty.
+  Command(const std::vector<std::string>& arguments, const std::filesystem::path& out);
   ~Command();
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
@@ -33,6 +36,9 @@ class Command {
   Ended wait();
 
  private:
+  /// True in the new process.
+  bool fork_off();
+
   std::filesystem::path folder_;
   pid_t process_ = -1;
 };

@@ -2,56 +2,25 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <csignal>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <thread>
 
-#include "core/files/mesh_io.h"
-#include "core/mesh/injective.h"
 #include "render/image.h"
 #include "tests/app/cli/command.h"
-#include "tests/core/run/scripted_method.h"
+#include "tests/app/cli/solved.h"
 
 namespace foldless {
 namespace {
 
 using nlohmann::json;
-using test::Command;
 using test::Ended;
+using test::expect_valid_results;
+using test::flipping_problem;
 using test::grid_problem;
+using test::lines_of;
 using test::names_in;
 using test::read_text;
 using test::TemporaryFolder;
 using test::write_scene;
-
-/// A scene of a grid that flips edges on its way and is satisfied.
-Problem flipping_problem() {
-  Problem problem = grid_problem(6, Vec2(2.5, 2.2));
-  problem.energy = find_density("lscm");
-  return problem;
-}
-
-/// A scene that takes a good second.
-Problem long_problem() {
-  Problem problem = grid_problem(40, Vec2(2, 3));
-  problem.energy = find_density("arap");
-  return problem;
-}
-
-void expect_valid_results(const std::string& folder) {
-  const LoadedMesh rest = read_mesh(folder + "/rest.obj");
-  const LoadedMesh deformed = read_mesh(folder + "/deformed.obj");
-  ASSERT_EQ(rest.triangles, deformed.triangles);
-  EXPECT_TRUE(is_injective(rest.triangles, rest.points, deformed.points));
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 TEST(Solve, WritesTheMeshesTheReportAndTheIterations) {
   const TemporaryFolder folder;
@@ -62,7 +31,7 @@ TEST(Solve, WritesTheMeshesTheReportAndTheIterations) {
   EXPECT_EQ(ended.err, "");
   const std::string out = folder / "out/deep";
   EXPECT_EQ(names_in(out), (std::vector<std::string>{"deformed.obj", "iterations.csv",
-                                                     "report.json", "rest.obj"}));
+                                                     "manifest.json", "report.json", "rest.obj"}));
   expect_valid_results(out);
   EXPECT_EQ(read_mesh(out + "/rest.obj").points, problem.mesh.rest());
   EXPECT_LT((read_mesh(out + "/deformed.obj").points.col(35) - Vec2(2.5, 2.2)).norm(), 1e-4);
@@ -285,39 +254,6 @@ TEST(Solve, DrawsTheResultAndEveryFrame) {
   EXPECT_EQ(picture.width, 1200);
   EXPECT_EQ(picture.height, 900);
 }
-
-/// Interrupts a solve once it has written some frames, and checks what it leaves.
-void interrupt_with(int signal) {
-  const TemporaryFolder folder;
-  write_scene(folder / "scene.json", long_problem());
-  const std::string out = folder / "out";
-  for (const std::size_t frames : {1U, 4U, 9U}) {
-    Command command({"solve", folder / "scene.json", "-o", out, "--frames", "all"});
-    while (names_in(out + "/frames").size() < frames) std::this_thread::yield();
-    command.send(signal);
-    const Ended ended = command.wait();
-    expect_valid_results(out);
-    const json report = json::parse(read_text(out + "/report.json"));
-    EXPECT_EQ(ended.status, 130) << "interrupted after " << frames << " frames";
-    EXPECT_EQ(report["outcome"], "cancelled");
-    EXPECT_EQ(lines_of(read_text(out + "/iterations.csv")).size(),
-              1 + report["iterations"].get<std::size_t>());
-    for (const std::string& frame : names_in(out + "/frames"))
-      EXPECT_NO_THROW(read_mesh(out + "/frames/" + frame));
-    std::filesystem::remove_all(out);
-  }
-}
-
-TEST(Solve, InterruptedItWritesTheLastValidMesh) { interrupt_with(SIGINT); }
-
-TEST(Solve, InterruptedInTheBackgroundOfAScriptItDoesSoToo) {
-  // Shells start background jobs with SIGINT ignored, and processes inherit that.
-  const auto previous = std::signal(SIGINT, SIG_IGN);
-  interrupt_with(SIGINT);
-  std::signal(SIGINT, previous);
-}
-
-TEST(Solve, TerminatedItWritesTheLastValidMesh) { interrupt_with(SIGTERM); }
 
 }  // namespace
 }  // namespace foldless

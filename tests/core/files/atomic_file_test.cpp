@@ -68,6 +68,11 @@ TEST(AtomicFile, LeavesNoTemporaryWhenTheTargetIsAFolder) {
   EXPECT_EQ(file_count(folder.path()), 1);
 }
 
+TEST(AtomicFile, ReadsNoFileWithoutBound) {
+  const std::string error = error_of([] { read_file("/dev/zero"); });
+  EXPECT_EQ(error, "/dev/zero: has more than 1073741824 bytes, the most that is read");
+}
+
 TEST(AtomicFile, NamesThePathOfAFileThatCannotBeRead) {
   const TemporaryFolder folder;
   for (const fs::path& file : {folder / "missing", folder.path()}) {

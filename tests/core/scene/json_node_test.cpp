@@ -58,6 +58,12 @@ TEST(JsonNode, RefusesDeepNesting) {
   EXPECT_EQ(error_in_json(std::string(100, '[') + std::string(100, ']')), "");
 }
 
+TEST(JsonNode, RefusesObjectsOfTooManyKeysWithoutComparingThemAll) {
+  std::string text = "{";
+  for (int i = 0; i < 200000; ++i) text += '"' + std::to_string(i) + "\": 0,\n";
+  EXPECT_EQ(error_in_json(text), "a.json:10001: an object has more than 10000 keys");
+}
+
 TEST(JsonText, PutsPointsAndHandlesOnOneLineEach) {
   const std::string text =
       "{\n  \"mesh\": {\n    \"vertices\": [\n      [0, 0.5],\n      [1, -0.0]\n    ]\n  },\n"

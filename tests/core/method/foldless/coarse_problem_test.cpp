@@ -48,6 +48,12 @@ TEST(CoarseProblem, ThereIsNoneWhereEveryHandleHasAShortWay) {
   EXPECT_TRUE(coarse_problem(problem, kSmall)) << "one goes far enough";
 }
 
+TEST(CoarseProblem, ThereIsNoneWhenItIsCancelled) {
+  std::stop_source stopped;
+  stopped.request_stop();
+  EXPECT_FALSE(coarse_problem(bent_bar(), kSmall, stopped.get_token()));
+}
+
 TEST(CoarseProblem, ThereIsNoneWhereFewVerticesMayGo) {
   EXPECT_FALSE(coarse_problem(bent_grid(300, 2), kSmall));
 }

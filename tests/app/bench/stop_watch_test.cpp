@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/bench/stop_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace foldless {
+namespace {
+
+/// Works until the token is set or this thread has worked for so many seconds, which it returns.
+double work_under(const std::stop_token& token, double most) {
+  const double start = seconds_on(own_clock());
+  double seconds = 0;
+  while (!token.stop_requested() && seconds < most) seconds = seconds_on(own_clock()) - start;
+  return seconds;
+}
+
+TEST(StopWatch, StopsWhenTheProcessorTimeIsOver) {
+  const StopWatch watch({.time_limit = 0.2, .is_interrupted = {}});
+  const double seconds = work_under(watch.token(), 60);
+  EXPECT_TRUE(watch.is_time_over());
+  EXPECT_GE(seconds, 0.19);
+  EXPECT_LT(seconds, 30);
+}
+
+TEST(StopWatch, DoesNotCountTheTimeOfSleep) {
+  const StopWatch watch({.time_limit = 30, .is_interrupted = {}});
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_FALSE(watch.token().stop_requested());
+}
+
+TEST(StopWatch, StopsWhenItIsInterrupted) {
+  std::atomic<bool> is_interrupted = false;
+  const StopWatch watch(
+      {.time_limit = {}, .is_interrupted = [&] { return is_interrupted.load(); }});
+  work_under(watch.token(), 0.05);
+  EXPECT_FALSE(watch.token().stop_requested());
+  is_interrupted = true;
+  work_under(watch.token(), 60);
+  EXPECT_TRUE(watch.token().stop_requested());
+  EXPECT_FALSE(watch.is_time_over());
+}
+
+}  // namespace
+}  // namespace foldless
