@@ -91,8 +91,8 @@ only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui b
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
 only_in("core/linear/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
         "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")
-only_in("core/(mesh/orientation|files/ply_reader|outline/triangulate)\\.cpp" "<CGAL/"
-        "CGAL belongs to three files")
+only_in("core/(mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp" "<CGAL/"
+        "CGAL belongs to four files")
 only_in("app/cli_[a-z_]+\\.cpp" "<CLI/" "CLI11 belongs to the command line")
 set(cli11_files "")
 foreach(file IN LISTS SOURCES)
