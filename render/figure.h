@@ -29,6 +29,7 @@ struct FigureOptions {
   FigureView view = FigureView::deformed;
   ViewOptions style = figure_style();  ///< its pose is set from `view`
   std::optional<Image> texture;        ///< the checkerboard when absent
+  std::optional<Box> texture_place;    ///< see SceneRenderer::set_texture()
   std::optional<Box> frame;            ///< world box to show; absent: the mesh and its targets
   bool miniature = false;  ///< the deformed mesh once more, small, filled, without its edges
 };

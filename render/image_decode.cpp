@@ -16,6 +16,7 @@ namespace foldless {
 namespace {
 
 constexpr int kLongestSide = 16384;
+constexpr long kMostPixels = 100'000'000;
 
 const unsigned char* bytes_of(std::string_view file) {
   return reinterpret_cast<const unsigned char*>(file.data());
@@ -27,6 +28,9 @@ void check_size(long width, long height) {
   if (width > kLongestSide || height > kLongestSide)
     throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
                 " pixels; scale it down to " + std::to_string(kLongestSide) + " a side or less");
+  if (width * height > kMostPixels)
+    throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
+                " pixels; scale it down to " + std::to_string(kMostPixels) + " in all or less");
 }
 
 /// Frees what libpng holds, whichever way the function is left.

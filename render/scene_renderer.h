@@ -44,8 +44,9 @@ class SceneRenderer {
   SceneRenderer(SceneRenderer&&) noexcept;
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
-  /// Fills the mesh with an image from now on: the box of the rest mesh ↔ the whole image.
-  void set_texture(const Image& image);
+  /// Fills the mesh with an image from now on: `place` in the rest plane ↔ the whole image; absent:
+  /// the box of the rest mesh.
+  void set_texture(const Image& image, const std::optional<Box>& place = std::nullopt);
   /// Back to the checkerboard.
   void clear_texture();
 
