@@ -83,7 +83,8 @@ TEST(MeshCall, TheUndeformedSceneIsTheImageToWithinOneGreyLevel) {
   ASSERT_TRUE(loaded.scene.texture_box.has_value());
   EXPECT_EQ(loaded.scene.texture_box->max, Vec2(240, 240));
 
-  FigureOptions figure{.width = 240, .height = 240};
+  FigureOptions figure;
+  figure.width = figure.height = 240;
   figure.style = test::bare_view();
   figure.style.layers.fill = true;
   figure.style.background = Background::transparent;
