@@ -38,7 +38,7 @@ FillLayer::FillLayer(const std::filesystem::path& shader_folder)
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void FillLayer::set_texture(const Image* image, const std::optional<Box>& place) {
+void FillLayer::set_texture(const TextureLevels* image, const std::optional<Box>& place) {
   image_place_ = place;
   if (image) {
     image_ = FillTexture(*image);  // made before the old one goes

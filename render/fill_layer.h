@@ -20,7 +20,7 @@ class FillLayer {
 
   /// An image instead of the checkerboard, or the checkerboard again. The image fills `place` of
   /// the rest plane; absent: the box of the rest mesh. Throws Error as FillTexture.
-  void set_texture(const Image* image, const std::optional<Box>& place = std::nullopt);
+  void set_texture(const TextureLevels* image, const std::optional<Box>& place = std::nullopt);
 
   /// `squares` of the checkerboard lie along the longer side of the rest mesh's box.
   void draw(const Frame& frame, const MeshLayer& mesh, const CanvasColours& colours,

@@ -11,6 +11,7 @@
 #include "render/distortion.h"
 #include "render/image.h"
 #include "render/render_stats.h"
+#include "render/texture_levels.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -46,6 +47,7 @@ class SceneRenderer {
 
   /// Fills the mesh with an image from now on: `place` in the rest plane ↔ the whole image; absent:
   /// the box of the rest mesh.
+  void set_texture(const TextureLevels& image, const std::optional<Box>& place = std::nullopt);
   void set_texture(const Image& image, const std::optional<Box>& place = std::nullopt);
   /// Back to the checkerboard.
   void clear_texture();

@@ -30,7 +30,7 @@ void Editor::update_import() {
   if (!takes_image_ || !import_.is_ready()) return;
   const auto image = import_.image();
   const Document document = import_.mesh()->document;
-  texture_image_.adopt(image->file, image->image);
+  texture_image_.adopt(image->file, image->texture);
   install(document, "Open " + image->file.filename().string());
   view_.layers = {.wireframe = false, .boundary = false};  // the picture alone
   path_.clear();

@@ -10,9 +10,9 @@ namespace {
 std::shared_ptr<const ImportedImage> read_image(const std::filesystem::path& file) {
   auto imported = std::make_shared<ImportedImage>();
   imported->file = file;
-  auto image = std::make_shared<const Image>(load_image(file));
-  imported->alpha = {image->width, image->height, alpha_of(*image)};
-  imported->image = std::move(image);
+  const Image image = load_image(file);
+  imported->alpha = {image.width, image.height, alpha_of(image)};
+  imported->texture = std::make_shared<const TextureLevels>(texture_levels(image));
   for (const MeshDetail detail : {MeshDetail::coarse, MeshDetail::medium, MeshDetail::fine})
     imported->presets[static_cast<std::size_t>(detail)] = options_for(imported->alpha, detail);
   return imported;
@@ -21,7 +21,7 @@ std::shared_ptr<const ImportedImage> read_image(const std::filesystem::path& fil
 std::shared_ptr<const ImportedMesh> imported(ImageMesh mesh, const ImportedImage& image) {
   Document document = document_of(mesh.shape, image.file.stem().string());
   document.texture = image.file;
-  document.texture_box = TextureBox{Vec2::Zero(), {image.alpha.width, image.alpha.height}};
+  document.texture_box = image.box();
   return std::make_shared<const ImportedMesh>(ImportedMesh{std::move(document), std::move(mesh)});
 }
 

@@ -13,16 +13,19 @@
 #include "app/editor/document.h"
 #include "core/outline/image_mesh.h"
 #include "core/run/latest_job.h"
-#include "render/image.h"
+#include "render/texture_levels.h"
 
 namespace foldless {
 
 /// An image that was read, and how to mesh it.
 struct ImportedImage {
   std::filesystem::path file;
-  std::shared_ptr<const Image> image;
+  std::shared_ptr<const TextureLevels> texture;
   AlphaMap alpha;
   std::array<ImageMeshOptions, 3> presets;  ///< by MeshDetail
+
+  /// Where it lies in the plane of the mesh: a unit of length a pixel.
+  TextureBox box() const { return {Vec2::Zero(), {alpha.width, alpha.height}}; }
 };
 
 /// A mesh of it, as the document that it would become.

@@ -24,7 +24,8 @@ void TextureImage::follow(const std::filesystem::path& file) {
   });
 }
 
-void TextureImage::adopt(const std::filesystem::path& file, std::shared_ptr<const Image> image) {
+void TextureImage::adopt(const std::filesystem::path& file,
+                         std::shared_ptr<const TextureLevels> image) {
   job_.cancel();
   file_ = file;
   image_ = std::move(image);
@@ -47,7 +48,7 @@ bool TextureImage::poll() {
 
 TextureImage::Result TextureImage::read(const std::filesystem::path& file) {
   try {
-    return {file, std::make_shared<const Image>(load_image(file)), {}};
+    return {file, std::make_shared<const TextureLevels>(texture_levels(load_image(file))), {}};
   } catch (const std::bad_alloc&) {
     return {file, nullptr, file.string() + ": there is not enough memory for this image"};
   } catch (const std::exception& failure) {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/run/latest_job.h"
-#include "render/image.h"
+#include "render/texture_levels.h"
 
 namespace foldless {
 
@@ -22,12 +22,12 @@ class TextureImage {
   /// The file that is wanted from now on; empty: none. Reading begins when it is another.
   void follow(const std::filesystem::path& file);
   /// The image of a file that was read already.
-  void adopt(const std::filesystem::path& file, std::shared_ptr<const Image> image);
+  void adopt(const std::filesystem::path& file, std::shared_ptr<const TextureLevels> image);
   /// Takes what was read; returns whether there was anything new.
   bool poll();
 
   /// Null while there is none: nothing is wanted, it is being read, or it cannot be.
-  const std::shared_ptr<const Image>& image() const { return image_; }
+  const std::shared_ptr<const TextureLevels>& image() const { return image_; }
   /// Why the file cannot be read; empty: it can, or nobody knows yet.
   const std::string& problem() const { return problem_; }
   /// True from follow() until poll() has the image or the problem.
@@ -36,7 +36,7 @@ class TextureImage {
  private:
   struct Result {
     std::filesystem::path file;
-    std::shared_ptr<const Image> image;
+    std::shared_ptr<const TextureLevels> image;
     std::string problem;
   };
 
@@ -44,7 +44,7 @@ class TextureImage {
 
   std::function<void()> wake_;
   std::filesystem::path file_;
-  std::shared_ptr<const Image> image_;
+  std::shared_ptr<const TextureLevels> image_;
   std::string problem_;
   bool is_reading_ = false;
   std::mutex mutex_;  ///< of what follows

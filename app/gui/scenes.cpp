@@ -40,19 +40,21 @@ std::optional<HeatRange> common_range(const Race& race, HeatMeasure measure) {
   return common;
 }
 
-std::shared_ptr<const Image> image_of(const Editor& editor) {
+std::shared_ptr<const TextureLevels> image_of(const Editor& editor) {
   const ImageImport& import = editor.image_import();
   if (!import.is_open()) return editor.texture_image().image();
-  return import.image() ? import.image()->image : nullptr;
+  return import.image() ? import.image()->texture : nullptr;
+}
+
+std::optional<Box> box_of(const std::optional<TextureBox>& box) {
+  if (!box) return std::nullopt;
+  return Box{{box->min.x(), box->min.y()}, {box->max.x(), box->max.y()}};
 }
 
 std::optional<Box> place_of(const Editor& editor) {
   const ImageImport& import = editor.image_import();
-  if (import.is_open() && !import.mesh()) return std::nullopt;
-  const auto& box =
-      import.is_open() ? import.mesh()->document.texture_box : editor.document().texture_box;
-  if (!box) return std::nullopt;
-  return Box{{box->min.x(), box->min.y()}, {box->max.x(), box->max.y()}};
+  if (!import.is_open()) return box_of(editor.document().texture_box);
+  return import.image() ? box_of(import.image()->box()) : std::nullopt;
 }
 
 }  // namespace
@@ -82,7 +84,8 @@ void Scenes::draw_import(const Editor& editor, const Layout& layout, Extent fram
   view.viewport = viewport_of(image_preview_place(layout, scale), framebuffer);
   view.camera = fit_to_box(*place_, {view.viewport.width, view.viewport.height}, kMargin * scale);
   ViewOptions options = editor.view();
-  options.layers = {.handles = false};
+  // The outline in the colour of the rest shape, which stands out from the canvas.
+  options.layers = {.boundary = false, .handles = false, .rest = true};
   canvas_.draw(*mesh->document.pose, view, options);
 }
 

@@ -32,8 +32,8 @@ class Scenes {
   SceneRenderer canvas_;
   /// One a lane: each keeps its mesh on the graphics card.
   std::vector<std::unique_ptr<SceneRenderer>> lanes_;
-  std::shared_ptr<const Image> image_;  ///< that they show
-  std::optional<Box> place_;            ///< of the image in the rest plane
+  std::shared_ptr<const TextureLevels> image_;  ///< that they show
+  std::optional<Box> place_;                    ///< of the image in the rest plane
   std::optional<HeatRange> heat_range_;
 };
 

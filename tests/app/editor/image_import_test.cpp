@@ -120,7 +120,7 @@ TEST_F(ImportedImages, ADroppedImageBecomesTheTextureOfAMeshOrElseADocument) {
   EXPECT_FALSE(import().is_open());
   EXPECT_EQ(editor_->document().texture, ring());
   wait_for([&] { return editor_->texture_image().image() != nullptr; });
-  EXPECT_EQ(editor_->texture_image().image()->width, 120);
+  EXPECT_EQ(editor_->texture_image().image()->front().width, 120);
 }
 
 TEST_F(ImportedImages, OtherOptionsMakeAnotherMeshAndTheNewestWin) {
