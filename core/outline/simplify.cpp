@@ -46,7 +46,7 @@ std::vector<Loop> simplified(const std::vector<Loop>& loops, double distance) {
     corners.clear();
     for (const Vec2& p : without_straight_corners(loop)) corners.emplace_back(p.x(), p.y());
     // The first corner always stays: the outermost one is a good corner to keep.
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     ids.push_back(polylines.insert_constraint(corners.begin(), corners.end(), true));
   }
   // CGAL takes corners whose cost is less than the threshold.

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/outline/loops.h"
 #include "tests/support/alpha_maps.h"
 #include "tests/support/errors.h"
@@ -52,6 +55,22 @@ TEST(Regions, FindPartsHolesAndPartsInHoles) {
     EXPECT_EQ(outline.holes.size(), area_of(outline.boundary) > 20 ? 1U : 0U);
   }
   EXPECT_EQ(holes, 1U);
+}
+
+TEST(Regions, AHoleBelongsToTheSmallestPartRoundIt) {
+  // Rings in rings: whichever hole is looked at first, larger and smaller parts lie round it.
+  const AlphaMap map = test::alpha_map(81, 81, [](double x, double y) {
+    const int ring = static_cast<int>(std::max(std::abs(x - 40.5), std::abs(y - 40.5)) / 4);
+    return ring % 2 == 1 && ring < 10;
+  });
+  const Regions regions = regions_of(map, kExact);
+  ASSERT_EQ(regions.outlines.size(), 5U);
+  for (const Outline& outline : regions.outlines) {
+    ASSERT_EQ(outline.holes.size(), 1U);
+    const double width = std::sqrt(area_of(outline.boundary)),
+                 hole = std::sqrt(-area_of(outline.holes[0]));
+    EXPECT_LT(width - hole, 12) << "a wall of 4 pixels on each side, and no part between";
+  }
 }
 
 TEST(Regions, FollowSoftEdgesMoreCloselyThanAPixel) {
