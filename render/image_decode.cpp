@@ -59,6 +59,16 @@ struct DestroyJpeg {
   void operator()(void* handle) const { tjDestroy(handle); }
 };
 
+/// From cyan, magenta, yellow and black as printers' programs write them: 255 is no ink.
+void convert_from_cmyk(Image& image) {
+  for (std::size_t p = 0; p < image.pixels.size(); p += 4) {
+    const int light = image.pixels[p + 3];
+    for (std::size_t c = 0; c < 3; ++c)
+      image.pixels[p + c] = static_cast<std::uint8_t>((image.pixels[p + c] * light + 127) / 255);
+    image.pixels[p + 3] = 255;
+  }
+}
+
 Image decode_jpeg(std::string_view file) {
   const std::unique_ptr<void, DestroyJpeg> jpeg(tjInitDecompress());
   const auto damaged = [&] {
@@ -71,9 +81,11 @@ Image decode_jpeg(std::string_view file) {
     throw damaged();
   check_size(width, height);
   Image image(width, height);
+  const bool is_cmyk = colour_space == TJCS_CMYK || colour_space == TJCS_YCCK;
   if (tjDecompress2(jpeg.get(), bytes_of(file), file.size(), image.pixels.data(), width, 0, height,
-                    TJPF_RGBA, TJFLAG_ACCURATEDCT) != 0)
+                    is_cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT) != 0)
     throw damaged();
+  if (is_cmyk) convert_from_cmyk(image);
   return image;
 }
 
