@@ -121,8 +121,11 @@ void draw_result(const ImageImport& import, const Look& look) {
   if (mesh.filled_holes > 0) dim_text(count(mesh.filled_holes, "tiny hole") + " filled", look);
 }
 
-/// Enter and Esc belong to a number that is being typed.
-bool is_key_free() { return !ImGui::GetIO().WantTextInput; }
+/// Enter and Esc belong to a number that is being typed. The key that chose the image in another
+/// dialog may still be down: its repeats do not count.
+bool is_struck(ImGuiKey key) {
+  return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
 
 void draw_buttons(Editor& editor, const Look& look) {
   const bool has_problem = !editor.image_import().problem().empty();
@@ -131,9 +134,8 @@ void draw_buttons(Editor& editor, const Look& look) {
   ImGui::EndDisabled();
   ImGui::SameLine();
   const bool leaves = ImGui::Button("Cancel");
-  if (takes || (!has_problem && is_key_free() && is_pressed(ImGuiKey_Enter)))
-    return editor.take_image();
-  if (leaves || (is_key_free() && is_pressed(ImGuiKey_Escape))) editor.close_import();
+  if (takes || (!has_problem && is_struck(ImGuiKey_Enter))) return editor.take_image();
+  if (leaves || is_struck(ImGuiKey_Escape)) editor.close_import();
 }
 
 bool begin(const char* id, const PanelContext& context) {

@@ -59,6 +59,16 @@ TEST_F(ImageDialog, EnterShowsThePictureAloneAndTabTheMesh) {
   EXPECT_EQ(differing_pixels(alone, headless_.picture()), 0);
 }
 
+TEST_F(ImageDialog, ComesUpForAPictureThatIsChosenInTheFileBrowser) {
+  headless_.key(Key::o, {.control = true});
+  headless_.type(ring().string());
+  headless_.key(Key::enter);
+  ASSERT_TRUE(headless_.wait_until([this] { return editor().image_import().is_ready(); }));
+  EXPECT_TRUE(editor().document().is_empty()) << "the Enter that chose it must not take it";
+  headless_.key(Key::enter);
+  EXPECT_EQ(editor().document().name, "ring");
+}
+
 TEST_F(ImageDialog, EscapeLeavesTheScreenAsItWas) {
   const Image before = headless_.picture();
   open();
