@@ -165,10 +165,12 @@ void draw_image_dialog(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   title_text("New from an image", look);
   dim_text(editor.image_import().file().filename().string(), look);
+  // In a low window the options scroll, the buttons stay.
+  ImGui::BeginChild("options", {0, -ImGui::GetFrameHeightWithSpacing()});
   draw_options(editor, look);
   ImGui::Spacing();
   draw_result(editor.image_import(), look);
-  ImGui::Spacing();
+  ImGui::EndChild();
   if (is_open) draw_buttons(editor, look);
   ImGui::EndPopup();
 }

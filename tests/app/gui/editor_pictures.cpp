@@ -201,6 +201,11 @@ void draw_import(const std::filesystem::path& image, const std::filesystem::path
   headless.settle();
   shoot("import-light.png");
   headless.ui().settings().theme = Theme::dark;
+  headless.ui().settings().scale = 2;
+  headless.settle();
+  shoot("import-200.png");
+  headless.ui().settings().scale = 1;
+  headless.settle();
   headless.key(Key::enter);
   headless.wait_until([&] { return !editor.document().is_empty(); }, 20);
   headless.calm_down();
