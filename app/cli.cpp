@@ -18,6 +18,7 @@ struct Runner {
   int operator()(const EditorCall& call) const { return open_editor(call.file); }
   int operator()(const SolveCall& call) const { return solve(call); }
   int operator()(const RenderCall& call) const { return render(call); }
+  int operator()(const MeshCall& call) const { return mesh(call); }
   int operator()(const CheckCall& call) const { return check(call); }
   int operator()(const BenchCall& call) const { return bench(call); }
   int operator()(const TextCall& call) const {

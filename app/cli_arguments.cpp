@@ -69,12 +69,11 @@ int positive_integer(std::string_view text, const std::string& what) {
 }
 
 /// A sample that the examples of the help name, by its path where it is installed.
-std::string sample() {
-  constexpr std::string_view kSample = "assets/scenes/figure5_coarse_disk.json";
+std::string sample(std::string_view file = "assets/scenes/figure5_coarse_disk.json") {
   try {
-    return data_path(kSample).lexically_normal().string();
+    return data_path(file).lexically_normal().string();
   } catch (const Error&) {
-    return std::string(kSample);
+    return std::string(file);
   }
 }
 
@@ -237,6 +236,25 @@ CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, bool& is_tra
   return render;
 }
 
+CLI::App* add_mesh(CLI::App& app, MeshCall& call) {
+  CLI::App* mesh = app.add_subcommand("mesh", "make a triangle mesh of what an image shows");
+  mesh->add_option("IMAGE", call.image, "PNG, JPEG or WebP; transparent is outside")->required();
+  mesh->add_option("-o,--output", call.output, "scene with the image as texture, or mesh")
+      ->required()
+      ->type_name("OUT.json|OUT.obj");
+  mesh->add_option("--edge-length", call.edge_length, "no edge is longer")->type_name("PX");
+  mesh->add_option("--margin", call.margin, "pixels that the outline keeps away from the figure")
+      ->type_name("PX");
+  mesh->add_option("--min-angle", call.min_angle, "of the triangles, 0 to 33, 20.7 when absent")
+      ->type_name("DEG");
+  mesh->add_option("--simplify", call.simplify, "pixels by which the outline may be off")
+      ->type_name("PX");
+  mesh->add_option("--threshold", call.threshold,
+                   "alpha, 0 to 1, from which on a pixel belongs to the figure; 0.1 when absent")
+      ->type_name("ALPHA");
+  return mesh;
+}
+
 CLI::App* add_check(CLI::App& app, CheckCall& call) {
   CLI::App* check = app.add_subcommand("check", "prove that a map is locally injective");
   check->add_option("REST", call.rest, "rest mesh (OBJ, OFF, PLY)")->required();
@@ -286,6 +304,9 @@ void add_examples(CLI::App& app, const std::string& program) {
                                        " -o coarse_disk.png --view both");
   app.get_subcommand("bench")->footer("Example:\n  " + program + " bench " + sample() +
                                       " --method paper-flip,paper-noflip");
+  app.get_subcommand("mesh")->footer("Example:\n  " + program + " mesh " +
+                                     sample("assets/images/editor.png") + " -o drawing.json && " +
+                                     program + " drawing.json");
   app.get_subcommand("check")->footer("Example:\n  " + solved + " && " + program +
                                       " check coarse_disk/rest.obj coarse_disk/deformed.obj");
 }
@@ -299,6 +320,7 @@ Call parse_arguments(int argc, const char* const* argv) {
   EditorCall editor;
   SolveCall solve_call;
   RenderCall render_call;
+  MeshCall mesh_call;
   CheckCall check_call;
   BenchCall bench_call;
   Texts texts;
@@ -307,6 +329,7 @@ Call parse_arguments(int argc, const char* const* argv) {
                  "scene, mesh or image to open in the editor; a sample when absent");
   const CLI::App* solve = add_solve(app, solve_call, texts);
   const CLI::App* render = add_render(app, render_call, texts, is_transparent);
+  const CLI::App* mesh = add_mesh(app, mesh_call);
   const CLI::App* check = add_check(app, check_call);
   const CLI::App* bench = add_bench(app, bench_call, texts);
   add_examples(app, program);
@@ -327,6 +350,7 @@ Call parse_arguments(int argc, const char* const* argv) {
     read_render(texts, is_transparent, render_call);
     return render_call;
   }
+  if (mesh->parsed()) return mesh_call;
   if (check->parsed()) return check_call;
   if (bench->parsed()) {
     read_bench(texts, bench_call);

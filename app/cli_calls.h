@@ -47,6 +47,13 @@ struct RenderCall {
   FigureOptions figure;
 };
 
+/// `foldless mesh IMAGE -o OUT`; what is absent follows from the image
+struct MeshCall {
+  std::filesystem::path image;
+  std::filesystem::path output;  ///< `.json` for a scene, or a mesh
+  std::optional<double> threshold, margin, simplify, edge_length, min_angle;
+};
+
 /// `foldless check REST DEFORMED [SCENE]`
 struct CheckCall {
   std::filesystem::path rest;
@@ -72,7 +79,8 @@ struct TextCall {
   std::string text;
 };
 
-using Call = std::variant<EditorCall, SolveCall, RenderCall, CheckCall, BenchCall, TextCall>;
+using Call =
+    std::variant<EditorCall, SolveCall, RenderCall, MeshCall, CheckCall, BenchCall, TextCall>;
 
 /// What the arguments ask for. Throws Error on arguments that make no call.
 Call parse_arguments(int argc, const char* const* argv);
@@ -80,6 +88,7 @@ Call parse_arguments(int argc, const char* const* argv);
 /// The calls; they print, return the exit status, and throw Error on bad input.
 int solve(const SolveCall& call);
 int render(const RenderCall& call);
+int mesh(const MeshCall& call);
 int check(const CheckCall& call);
 int bench(const BenchCall& call);
 

@@ -27,6 +27,12 @@ Problem problem_of(const Scene& scene) {
   return problem;
 }
 
+std::optional<Box> texture_place(const Scene& scene) {
+  if (!scene.texture_box) return std::nullopt;
+  const auto& [min, max] = *scene.texture_box;
+  return Box{{min.x(), min.y()}, {max.x(), max.y()}};
+}
+
 void print_notices(const std::vector<std::string>& notices) {
   for (const std::string& notice : notices) std::cerr << "foldless: note: " << notice << '\n';
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/method/method.h"
 #include "core/scene/scene_io.h"
+#include "render/camera.h"
 
 namespace foldless {
 
@@ -15,6 +17,9 @@ LoadedScene load_scene_file(const std::filesystem::path& file);
 
 /// What a scene starts from: its state where it has one, else its mesh at rest.
 Problem problem_of(const Scene& scene);
+
+/// Where the scene's texture lies, for the renderer.
+std::optional<Box> texture_place(const Scene& scene);
 
 /// Prints `foldless: note: …` on stderr, one line each.
 void print_notices(const std::vector<std::string>& notices);

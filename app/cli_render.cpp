@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 struct Subject {
   Snapshot snapshot;
   std::optional<fs::path> texture;
+  std::optional<Box> texture_place = std::nullopt;
 };
 
 Snapshot snapshot_of(const Problem& problem) {
@@ -40,6 +41,7 @@ Subject subject_of(const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
   Subject subject{snapshot_of(problem_of(scene)), std::nullopt};
   if (!scene.texture_path.empty()) subject.texture = scene.folder / scene.texture_path;
+  subject.texture_place = texture_place(scene);
   return subject;
 }
 
@@ -59,7 +61,10 @@ int render(const RenderCall& call) {
   Subject subject = read_subject(call.file);
   if (call.texture) subject.texture = call.texture;
   FigureOptions figure = call.figure;
-  if (subject.texture) figure.texture = std::make_shared<const Image>(load_image(*subject.texture));
+  if (subject.texture)
+    figure.texture =
+        std::make_shared<const TextureLevels>(texture_levels(load_image(*subject.texture)));
+  figure.texture_place = subject.texture_place;
   save_png(call.picture, render_figure(subject.snapshot, figure),
            {{"Software", "Foldless"}, {"Scene", call.file}});
   return kExitDone;

@@ -43,7 +43,9 @@ std::optional<FigureOptions> figure_of(const SolveCall& call, const Scene& scene
   if (call.threads) setenv("LP_NUM_THREADS", std::to_string(*call.threads).c_str(), 1);
   FigureOptions figure;
   if (!scene.texture_path.empty())
-    figure.texture = std::make_shared<const Image>(load_image(scene.folder / scene.texture_path));
+    figure.texture = std::make_shared<const TextureLevels>(
+        texture_levels(load_image(scene.folder / scene.texture_path)));
+  figure.texture_place = texture_place(scene);
   return figure;
 }
 

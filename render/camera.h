@@ -18,6 +18,8 @@ struct Camera {
 struct Box {
   glm::dvec2 min{0, 0};
   glm::dvec2 max{1, 1};
+
+  bool operator==(const Box&) const = default;
 };
 
 /// `viewport` is its size in framebuffer pixels, here and below.

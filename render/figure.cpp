@@ -109,13 +109,14 @@ struct FigureRenderer::Parts {
   ~Parts() { context.make_current(); }
 
   void fit_target(const FigureOptions& options);
-  void fit_texture(const std::shared_ptr<const Image>& image);
+  void fit_texture(const FigureOptions& options);
 
   Offscreen context{1, 1, 1};
   SceneRenderer scene;
   std::optional<RenderTarget> target;
   int samples_asked = 0;
-  std::shared_ptr<const Image> texture;
+  std::shared_ptr<const TextureLevels> texture;
+  std::optional<Box> texture_place;
 };
 
 void FigureRenderer::Parts::fit_target(const FigureOptions& options) {
@@ -126,10 +127,12 @@ void FigureRenderer::Parts::fit_target(const FigureOptions& options) {
   target->bind();
 }
 
-void FigureRenderer::Parts::fit_texture(const std::shared_ptr<const Image>& image) {
-  if (texture == image) return;
-  image ? scene.set_texture(*image) : scene.clear_texture();
-  texture = image;
+void FigureRenderer::Parts::fit_texture(const FigureOptions& options) {
+  if (texture == options.texture && texture_place == options.texture_place) return;
+  options.texture ? scene.set_texture(*options.texture, options.texture_place)
+                  : scene.clear_texture();
+  texture = options.texture;
+  texture_place = options.texture_place;
 }
 
 FigureRenderer::FigureRenderer() : parts_(std::make_unique<Parts>()) {}
@@ -138,7 +141,7 @@ FigureRenderer::~FigureRenderer() = default;
 Image FigureRenderer::render(const Snapshot& snapshot, const FigureOptions& options) {
   parts_->context.make_current();
   parts_->fit_target(options);
-  parts_->fit_texture(options.texture);
+  parts_->fit_texture(options);
   ViewOptions style = options.style;
   const int legend = style.layers.heat ? legend_width(style.ui_scale) : 0;
   const Viewport whole{0, 0, options.width, options.height};

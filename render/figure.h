@@ -7,6 +7,7 @@
 #include "core/snapshot.h"
 #include "render/camera.h"
 #include "render/image.h"
+#include "render/texture_levels.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -27,10 +28,11 @@ struct FigureOptions {
   int height = 900;  ///< pixels
   int samples = 4;   ///< samples a pixel; fewer where the context refuses
   FigureView view = FigureView::deformed;
-  ViewOptions style = figure_style();    ///< its pose is set from `view`
-  std::shared_ptr<const Image> texture;  ///< null: the checkerboard
-  std::optional<Box> frame;              ///< world box to show; absent: the mesh and its targets
-  bool miniature = false;  ///< the deformed mesh once more, small, filled, without its edges
+  ViewOptions style = figure_style();            ///< its pose is set from `view`
+  std::shared_ptr<const TextureLevels> texture;  ///< null: the checkerboard
+  std::optional<Box> texture_place;              ///< see SceneRenderer::set_texture()
+  std::optional<Box> frame;  ///< world box to show; absent: the mesh and its targets
+  bool miniature = false;    ///< the deformed mesh once more, small, filled, without its edges
 };
 
 /// Draws snapshots off screen, any number of them in one context.

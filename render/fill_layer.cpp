@@ -38,7 +38,8 @@ FillLayer::FillLayer(const std::filesystem::path& shader_folder)
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void FillLayer::set_texture(const Image* image) {
+void FillLayer::set_texture(const TextureLevels* image, const std::optional<Box>& place) {
+  image_place_ = place;
   if (image) {
     image_ = FillTexture(*image);  // made before the old one goes
   } else {
@@ -48,7 +49,7 @@ void FillLayer::set_texture(const Image* image) {
 
 void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, const CanvasColours& colours,
                      double squares) const {
-  const Box& box = mesh.rest_box();
+  const Box& box = image_ && image_place_ ? *image_place_ : mesh.rest_box();
   const glm::dvec2 extent = glm::max(box.max - box.min, glm::dvec2(1e-300));
   use_in_frame(fill_, frame);
   fill_.set("box_min", glm::vec2(box.min - mesh.origin()));

@@ -18,8 +18,9 @@ class FillLayer {
  public:
   explicit FillLayer(const std::filesystem::path& shader_folder);
 
-  /// An image instead of the checkerboard, or the checkerboard again. Throws Error as FillTexture.
-  void set_texture(const Image* image);
+  /// An image instead of the checkerboard, or the checkerboard again. The image fills `place` of
+  /// the rest plane; absent: the box of the rest mesh. Throws Error as FillTexture.
+  void set_texture(const TextureLevels* image, const std::optional<Box>& place = std::nullopt);
 
   /// `squares` of the checkerboard lie along the longer side of the rest mesh's box.
   void draw(const Frame& frame, const MeshLayer& mesh, const CanvasColours& colours,
@@ -35,6 +36,7 @@ class FillLayer {
   ShaderProgram fill_;
   ShaderProgram heat_;
   std::optional<FillTexture> image_;
+  std::optional<Box> image_place_;
   Texture heat_colours_;
 };
 

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "render/gl_objects.h"
-#include "render/image.h"
+#include "render/texture_levels.h"
 
 namespace foldless {
 
-/// An image on the graphics card: premultiplied, with mipmaps, edges clamped.
+/// An image on the graphics card with all its levels, edges clamped.
 class FillTexture {
  public:
   /// Throws Error when the image is empty or larger than the graphics card takes.
-  explicit FillTexture(const Image& image);
+  explicit FillTexture(const TextureLevels& levels);
 
   void bind() const { glBindTexture(GL_TEXTURE_2D, texture_.id()); }
 

@@ -44,6 +44,12 @@ std::pair<std::string, std::string> text_of(const PngChunk& chunk) {
 
 }  // namespace
 
+std::vector<std::uint8_t> alpha_of(const Image& image) {
+  std::vector<std::uint8_t> alpha(image.pixels.size() / 4);
+  for (std::size_t p = 0; p < alpha.size(); ++p) alpha[p] = image.pixels[4 * p + 3];
+  return alpha;
+}
+
 std::string encode_png(const Image& image, const ImageTexts& texts) {
   if (image.width < 1 || image.height < 1) throw Error("an empty picture cannot be written");
   std::string bytes = encode_pixels(image);

@@ -35,11 +35,15 @@ struct Image {
   }
 };
 
+/// The alpha of every pixel: width × height bytes.
+std::vector<std::uint8_t> alpha_of(const Image& image);
+
 /// Keyword → text of a picture: what is drawn and how it came about, e.g. Scene, Iteration, Energy.
 using ImageTexts = std::map<std::string, std::string>;
 
-/// Reads a PNG, JPEG or WebP; its first bytes tell which. Throws Error when the file cannot be
-/// read, is none of these, is damaged, or is larger than 16384 pixels a side or 2^26 pixels.
+/// Reads a PNG, JPEG (CMYK too) or WebP; its first bytes tell which. Throws Error when the file
+/// cannot be read, is none of these, is damaged, or is larger than 16384 pixels a side or 100
+/// million in all.
 Image load_image(const std::filesystem::path& path);
 
 /// PNG bytes of the image, its texts as Latin-1 or UTF-8 text chunks. Throws Error on an empty

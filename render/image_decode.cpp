@@ -19,7 +19,7 @@ namespace foldless {
 namespace {
 
 constexpr int kLongestSide = 16384;
-constexpr long kMostPixels = 1L << 26;  // as of 8192 × 8192: 256 MiB
+constexpr long kMostPixels = 100'000'000;
 
 const unsigned char* bytes_of(std::string_view file) {
   return reinterpret_cast<const unsigned char*>(file.data());
@@ -32,8 +32,8 @@ void check_size(long width, long height) {
     throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
                 " pixels; scale it down to " + std::to_string(kLongestSide) + " a side or less");
   if (width * height > kMostPixels)
-    throw Error("the image has " + std::to_string(width * height) + " pixels; scale it down to " +
-                std::to_string(kMostPixels) + " or less");
+    throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
+                " pixels; scale it down to " + std::to_string(kMostPixels) + " in all or less");
 }
 
 /// The chunks that make the picture. For texts and profiles libpng takes as much memory as they ask
@@ -78,6 +78,16 @@ struct DestroyJpeg {
   void operator()(void* handle) const { tjDestroy(handle); }
 };
 
+/// From cyan, magenta, yellow and black as printers' programs write them: 255 is no ink.
+void convert_from_cmyk(Image& image) {
+  for (std::size_t p = 0; p < image.pixels.size(); p += 4) {
+    const int light = image.pixels[p + 3];
+    for (std::size_t c = 0; c < 3; ++c)
+      image.pixels[p + c] = static_cast<std::uint8_t>((image.pixels[p + c] * light + 127) / 255);
+    image.pixels[p + 3] = 255;
+  }
+}
+
 Image decode_jpeg(std::string_view file) {
   const std::unique_ptr<void, DestroyJpeg> jpeg(tjInitDecompress());
   const auto damaged = [&] {
@@ -90,9 +100,11 @@ Image decode_jpeg(std::string_view file) {
     throw damaged();
   check_size(width, height);
   Image image(width, height);
+  const bool is_cmyk = colour_space == TJCS_CMYK || colour_space == TJCS_YCCK;
   if (tjDecompress2(jpeg.get(), bytes_of(file), file.size(), image.pixels.data(), width, 0, height,
-                    TJPF_RGBA, TJFLAG_ACCURATEDCT) != 0)
+                    is_cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT) != 0)
     throw damaged();
+  if (is_cmyk) convert_from_cmyk(image);
   return image;
 }
 

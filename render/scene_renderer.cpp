@@ -85,7 +85,13 @@ SceneRenderer::~SceneRenderer() = default;
 SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
-void SceneRenderer::set_texture(const Image& image) { parts_->fill.set_texture(&image); }
+void SceneRenderer::set_texture(const TextureLevels& image, const std::optional<Box>& place) {
+  parts_->fill.set_texture(&image, place);
+}
+
+void SceneRenderer::set_texture(const Image& image, const std::optional<Box>& place) {
+  set_texture(texture_levels(image), place);
+}
 
 void SceneRenderer::clear_texture() { parts_->fill.set_texture(nullptr); }
 

@@ -11,6 +11,7 @@
 #include "render/distortion.h"
 #include "render/image.h"
 #include "render/render_stats.h"
+#include "render/texture_levels.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -44,8 +45,10 @@ class SceneRenderer {
   SceneRenderer(SceneRenderer&&) noexcept;
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
-  /// Fills the mesh with an image from now on: the box of the rest mesh ↔ the whole image.
-  void set_texture(const Image& image);
+  /// Fills the mesh with an image from now on: `place` in the rest plane ↔ the whole image; absent:
+  /// the box of the rest mesh.
+  void set_texture(const TextureLevels& image, const std::optional<Box>& place = std::nullopt);
+  void set_texture(const Image& image, const std::optional<Box>& place = std::nullopt);
   /// Back to the checkerboard.
   void clear_texture();
 

@@ -78,7 +78,7 @@ may_include("core/[^/]+" "${BASE}|core/mesh/.*")
 set(RENDER_OF_CORE "core/(error|handle|iteration|snapshot|data_path|files/atomic_file|mesh/triangle)\\.h")
 set(GRAPHICS "<(glad/gl|GL/osmesa|imgui)\\.h>|<glm/.*>")
 may_include("render/.*" "${PLAIN}|${RENDER_OF_CORE}|render/.*|${GRAPHICS}|${IMAGE_CODECS}|<Eigen/.*>")
-set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|view_options)\\.h|app/editor/.*")
+set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|image|texture_levels|view_options)\\.h|app/editor/.*")
 may_include("app/editor/.*" "${EDITOR}")
 may_include("app/export/.*" "${BASE}|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
 may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|<(glad/gl|imgui.*|GLFW/glfw3)\\.h>")
@@ -91,8 +91,8 @@ only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui b
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
 only_in("core/linear/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
         "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")
-only_in("core/(mesh/orientation|files/ply_reader|outline/triangulate)\\.cpp" "<CGAL/"
-        "CGAL belongs to three files")
+only_in("core/(mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp" "<CGAL/"
+        "CGAL belongs to four files")
 only_in("app/cli_[a-z_]+\\.cpp" "<CLI/" "CLI11 belongs to the command line")
 set(cli11_files "")
 foreach(file IN LISTS SOURCES)

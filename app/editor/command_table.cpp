@@ -100,6 +100,7 @@ std::vector<Command> file_commands() {
   return {
       {"file.new", "File", "New", {{Key::n, kControl}}, always, call<&Editor::new_document>},
       {"file.open", "File", "Open\u2026", {{Key::o, kControl}}, always, ask<Request::open_dialog>},
+      {"file.open_image", "File", "New from image\u2026", {}, always, ask<Request::image_dialog>},
       {"file.save", "File", "Save", {{Key::s, kControl}}, has_mesh, call<&Editor::save>},
       {"file.save_as", "File", "Save as\u2026", {{Key::s, kControlShift}}, has_mesh, ask<Request::save_dialog>},
       {"file.texture", "File", "Choose texture\u2026", {}, has_mesh, ask<Request::texture_dialog>},
@@ -153,6 +154,7 @@ std::vector<Command> view_commands() {
       {"view.actual_size", "View", "100 %", {{Key::digit_0, kControl}}, always, call<&Editor::actual_size>},
       {"view.remesh_diff", "View", "Rest and deformed side by side", {{Key::d, kNone}}, has_mesh, call<&Editor::toggle_remesh_diff>, is_diff_shown},
       {"view.link_panes", "View", "Move both sides together", {{Key::d, kShift}}, is_diff_shown, call<&Editor::toggle_link>, is_diff_linked},
+      in_race({"view.mesh", "View", "Show the mesh", {{Key::tab, kNone}}, always, [](Editor& e) { e.show_mesh(!e.is_mesh_shown()); }, [](const Editor& e) { return e.is_mesh_shown(); }}),
       layer<0>("view.fill"),
       layer<1>("view.wireframe"),
       layer<2>("view.boundary"),

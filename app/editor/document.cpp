@@ -123,7 +123,8 @@ bool is_at_targets(const Document& document) {
 
 bool is_same_content(const Document& a, const Document& b) {
   return is_equal(a.original, b.original) && is_equal(a.pose, b.pose) && a.handles == b.handles &&
-         a.energy == b.energy && a.parameters == b.parameters && a.texture == b.texture;
+         a.energy == b.energy && a.parameters == b.parameters && a.texture == b.texture &&
+         a.texture_box == b.texture_box;
 }
 
 }  // namespace foldless

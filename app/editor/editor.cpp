@@ -22,6 +22,8 @@ Editor::Editor(EditorOptions options)
       history_(options_.history_bytes),
       solving_(options_.wake),
       tool_(make_idle_tool()),
+      import_(options_.wake),
+      texture_image_(options_.wake),
       race_(options_.wake),
       recent_(recent_file(options_.state_folder)) {
   mark_saved();
@@ -48,6 +50,8 @@ bool Editor::update(double now) {
     take_newest();
     redraw();
   }
+  update_import();
+  follow_texture();
   if (race_.update(now)) redraw();
   const bool rests =
       !solving_.is_running() && !is_editing() && !scrubbed_ && !race_.is_open() && !proof_.folds();

@@ -14,6 +14,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/document.h"
 #include "app/editor/history.h"
+#include "app/editor/image_import.h"
 #include "app/editor/input.h"
 #include "app/editor/messages.h"
 #include "app/editor/parameter_rows.h"
@@ -23,6 +24,7 @@
 #include "app/editor/remesh_diff.h"
 #include "app/editor/solving.h"
 #include "app/editor/stuck.h"
+#include "app/editor/texture_image.h"
 #include "app/editor/tool.h"
 #include "render/view_options.h"
 
@@ -103,19 +105,30 @@ class Editor {
 
   // Files.
 
-  /// Opens a scene, a mesh, or an image as the texture of the present mesh, by its extension;
-  /// asks first when there are unsaved changes (not for a texture).
+  /// Opens a scene or a mesh, or begins to import an image, by its extension; asks first when
+  /// there are unsaved changes.
   void open(const std::filesystem::path& path);
+  /// As open(), but an image becomes the texture of the mesh where there is one.
+  void drop(const std::filesystem::path& path);
   /// Opens a scene as a copy without a path: saving asks where to, and it is not a recent file.
   void open_sample(const std::filesystem::path& path);
   /// Opens a mesh that was made, not read; unsaved changes are dropped. Precondition: valid.
   void open_shape(Shape shape, const std::string& name);
   void new_document();
+  /// The image that is being made a document of.
+  ImageImport& image_import() { return import_; }
+  const ImageImport& image_import() const { return import_; }
+  /// Makes it the document, at once or as soon as its mesh is ready.
+  void take_image();
+  /// Leaves the document as it was.
+  void close_import();
   void save();
   /// Writes a scene file; `.json` is added where the name has no extension. False when that fails.
   bool save_as(const std::filesystem::path& path);
   void set_texture(const std::filesystem::path& path);
   void clear_texture();
+  /// The image of the document's texture, or null: none, or not read yet.
+  const TextureImage& texture_image() const { return texture_image_; }
   /// The window's close button: Request::quit, or a question first.
   void close();
   /// Of the scene file; empty: never saved.
@@ -149,8 +162,12 @@ class Editor {
   void fit_all();
   void fit_selection();
   void zoom(double factor);  ///< about the middle of the canvas
-  void actual_size();        ///< 100 design pixels a unit of length
+  /// 100 design pixels a unit of length; one a pixel of the image where a mesh was made of one.
+  void actual_size();
   void set_camera(const Camera& camera);
+  /// Edges and outline of the mesh, or the picture alone.
+  void show_mesh(bool shown);
+  bool is_mesh_shown() const { return view_.layers.wireframe || view_.layers.boundary; }
   void hide_overlays(bool hidden);
   bool are_overlays_hidden() const { return overlays_hidden_; }
 
@@ -249,6 +266,8 @@ class Editor {
   void load(const PendingAction& action);
   void ask_or_perform(PendingAction action);
   void open_scene(const std::filesystem::path& path);
+  void update_import();
+  void follow_texture();
   void perform_pending();
   void mark_saved();
 
@@ -280,6 +299,9 @@ class Editor {
   Proof proof_;
   std::optional<double> pace_;
   RemeshDiff remesh_diff_;
+  ImageImport import_;
+  bool takes_image_ = false;  ///< as soon as it is ready
+  TextureImage texture_image_;
   Race race_;
   StuckHandles stuck_;
 

@@ -39,8 +39,12 @@ std::vector<std::string_view> method_names() {
 }  // namespace
 
 void Editor::open(const std::filesystem::path& path) {
-  if (is_image_file(path)) return set_texture(path);
   ask_or_perform({PendingKind::open, full_path(path)});
+}
+
+void Editor::drop(const std::filesystem::path& path) {
+  if (is_image_file(path) && !document_.is_empty() && !import_.is_open()) return set_texture(path);
+  open(path);
 }
 
 void Editor::open_sample(const std::filesystem::path& path) {
@@ -89,6 +93,7 @@ void Editor::perform_pending() {
 
 void Editor::load(const PendingAction& action) {
   const std::filesystem::path& path = action.path;
+  if (is_image_file(path)) return import_.open(path);
   try {
     if (is_mesh_file(path)) {
       LoadedMesh mesh = read_mesh(path);
@@ -131,6 +136,8 @@ void Editor::install(const Document& document, std::string label) {
   selection_.clear();
   hovered_.reset();
   race_.close();
+  close_import();
+  if (document.texture.empty() != document_.texture.empty()) show_mesh(document.texture.empty());
   restore(document);
   fit_all();
 }
@@ -178,7 +185,7 @@ bool Editor::save_as(const std::filesystem::path& path) {
 void Editor::set_texture(const std::filesystem::path& path) {
   cancel_gesture();
   if (document_.is_empty())
-    return toast(ToastKind::error, "Open a mesh first: an image becomes its texture");
+    return toast(ToastKind::error, "Open a mesh or an image first: then its texture can be chosen");
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     return toast(ToastKind::error, path.string() + ": there is no such file; choose another image");

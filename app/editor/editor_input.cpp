@@ -75,7 +75,7 @@ void Editor::on(const KeyReleased& event) {
 }
 
 void Editor::on(const FilesDropped& event) {
-  if (!event.paths.empty()) open(event.paths.front());
+  if (!event.paths.empty()) drop(event.paths.front());
 }
 
 void Editor::on(const FocusLost&) {

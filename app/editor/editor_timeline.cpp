@@ -80,6 +80,7 @@ void Editor::first_iteration() { scrub(0); }
 void Editor::last_iteration() { leave_timeline(); }
 
 void Editor::escape() {
+  if (import_.is_open()) return close_import();
   if (race_.is_open()) return toggle_race();
   if (!tool_->is_idle()) return cancel_gesture();
   if (solving_.is_running()) return stop_solving();

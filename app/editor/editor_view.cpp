@@ -63,7 +63,8 @@ void Editor::zoom(double factor) {
 
 void Editor::actual_size() {
   Camera camera = canvas_.camera;
-  camera.pixels_per_unit = 100 * canvas_.ui_scale;
+  // The unit of a mesh that was made of an image is the image's pixel.
+  camera.pixels_per_unit = (document_.texture_box ? 1 : 100) * canvas_.ui_scale;
   set_camera(camera);
 }
 
@@ -88,6 +89,11 @@ void Editor::fit_selection() {
     extend(box, handle.target, around);
   }
   set_camera(fit_to_box(box, canvas_.size(), kMargin * canvas_.ui_scale));
+}
+
+void Editor::show_mesh(bool shown) {
+  view_.layers.wireframe = view_.layers.boundary = shown;
+  redraw();
 }
 
 void Editor::hide_overlays(bool hidden) {

@@ -14,7 +14,8 @@ namespace foldless {
 
 /// What the editor wants its surroundings to do; they take it with Editor::take_requests().
 enum class Request {
-  open_dialog,  ///< ask for a file, then Editor::open
+  open_dialog,   ///< ask for a file, then Editor::open
+  image_dialog,  ///< ask for an image, then Editor::open
   save_dialog,  ///< ask for a path, then Editor::save_as or, when dismissed, Editor::answer(cancel)
   texture_dialog,  ///< ask for an image, then Editor::set_texture
   write_snapshot,  ///< a numbered PNG at once

@@ -51,6 +51,7 @@ Document document_of(const Scene& scene, const std::filesystem::path& file) {
   document.parameters = scene.parameters;
   if (!scene.texture_path.empty())
     document.texture = (scene.folder / scene.texture_path).lexically_normal();
+  document.texture_box = scene.texture_box;
   document.description = scene.description;
   return document;
 }
@@ -63,6 +64,7 @@ Scene scene_of(const Document& document, const std::filesystem::path& file,
   scene.rest = document.original->rest;
   if (!document.texture.empty())
     scene.texture_path = document.texture.lexically_proximate(scene.folder).generic_string();
+  scene.texture_box = document.texture_box;
   scene.energy = document.energy;
   scene.handles = document.handles;
   scene.parameters = document.parameters;

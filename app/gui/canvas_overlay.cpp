@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/editor/picking.h"
+#include "app/gui/image_dialog.h"
 #include "app/gui/widgets.h"
 #include "core/mesh/triangle.h"
 
@@ -136,7 +137,7 @@ void draw_invitation(Editor& editor, const PanelContext& context) {
     ImGui::PushFont(look.fonts.title);
     ImGui::TextUnformatted("Bend anything. Nothing folds.");
     ImGui::PopFont();
-    dim_text("Drop a scene or a mesh here, open one, or begin with a sample.", look);
+    dim_text("Drop an image, a mesh or a scene here, open one, or begin with a sample.", look);
     ImGui::Spacing();
     if (main_button("Open…", look)) editor.run_command("file.open");
     ImGui::Spacing();
@@ -147,6 +148,13 @@ void draw_invitation(Editor& editor, const PanelContext& context) {
 }
 
 }  // namespace
+
+void draw_import_overlay(const Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
+  const Rectangle place = image_preview_place(context.layout, look.scale);
+  const CanvasBrush brush{*ImGui::GetBackgroundDrawList(), place};
+  draw_description(import_words(editor.image_import()), brush, look);
+}
 
 void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   if (!editor.shown()) return draw_invitation(editor, context);

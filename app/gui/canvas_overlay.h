@@ -9,4 +9,7 @@ namespace foldless {
 /// largest distortion, and an invitation while nothing is open.
 void draw_canvas_overlay(Editor& editor, const PanelContext& context);
 
+/// What is known of the mesh that an image is to become, over its preview.
+void draw_import_overlay(const Editor& editor, const PanelContext& context);
+
 }  // namespace foldless

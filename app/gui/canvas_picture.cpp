@@ -27,6 +27,12 @@ SceneView scene_view(const Editor& editor, int x, int y) {
           editor.hovered()};
 }
 
+Layers exported_layers(const Editor& editor) {
+  Layers layers = editor.shown_view().layers;
+  if (!editor.document().texture.empty()) layers.handles = false;
+  return layers;
+}
+
 Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureOptions& options) {
   if (!editor.shown()) throw Error("There is no mesh to make a picture of: open one first.");
   SceneView view = scene_view(editor, 0, 0);

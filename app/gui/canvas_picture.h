@@ -16,6 +16,9 @@ struct PictureOptions {
   Layers layers;
 };
 
+/// The layers that an export begins with: those on screen, but of a drawing without its handles.
+Layers exported_layers(const Editor& editor);
+
 /// The canvas as the user sees it, drawn anew at `factor` times its size. Needs the renderer's
 /// context; leaves framebuffer 0's owner to bind its framebuffer again. Throws Error when the
 /// graphics card refuses a picture of this size.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "app/gui/image_dialog.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
@@ -53,6 +54,7 @@ void draw_about(const PanelContext& context) {
 void draw_dialogs(Editor& editor, const PanelContext& context) {
   UiState& state = context.state;
   draw_unsaved_question(editor, context);
+  draw_image_dialog(editor, context);
   state.exporting.draw(editor, state, context.look);
   state.browser.draw(context.look);
   state.search.draw(editor, context.look);

@@ -32,7 +32,7 @@ constexpr std::array<Format, 4> kFormats{{
 
 void ExportDialog::open(const Editor& editor) {
   opens_now_ = true;
-  job_.picture.layers = editor.shown_view().layers;
+  job_.picture.layers = exported_layers(editor);
 }
 
 void ExportDialog::repeat(const Editor& editor) {

@@ -4,7 +4,9 @@
 namespace foldless {
 
 std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
-  if (editor.document().is_empty()) return "Drop a scene or a mesh here, or press Ctrl+O";
+  if (editor.image_import().is_open())
+    return "Enter makes the mesh · Esc leaves everything as it was";
+  if (editor.document().is_empty()) return "Drop an image, a mesh or a scene here, or press Ctrl+O";
   if (editor.race().is_open())
     return "Space pauses all lanes · . goes on by one · wheel zooms, drag moves · Esc closes";
   if (editor.scrubbed()) return "Enter goes on from this iteration · Esc returns to the newest";

@@ -39,9 +39,7 @@ FileRequest open_request(const std::string& title, std::vector<std::string> exte
   return request;
 }
 
-void ask_what_to_open(Editor& editor, UiState& state) {
-  auto request = open_request(
-      "Open", {".json", ".obj", ".off", ".ply", ".png", ".jpg", ".jpeg", ".webp"}, editor, state);
+void open_chosen(FileRequest request, Editor& editor, UiState& state) {
   request.chosen = [&editor, &state](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
     if (is_sample(path))
@@ -50,6 +48,18 @@ void ask_what_to_open(Editor& editor, UiState& state) {
       editor.open(path);
   };
   state.browser.ask(std::move(request));
+}
+
+void ask_what_to_open(Editor& editor, UiState& state) {
+  auto request = open_request(
+      "Open", {".json", ".obj", ".off", ".ply", ".png", ".jpg", ".jpeg", ".webp"}, editor, state);
+  open_chosen(std::move(request), editor, state);
+}
+
+void ask_for_image(Editor& editor, UiState& state) {
+  auto request =
+      open_request("New from an image", {".png", ".jpg", ".jpeg", ".webp"}, editor, state);
+  open_chosen(std::move(request), editor, state);
 }
 
 void ask_for_texture(Editor& editor, UiState& state) {
@@ -82,7 +92,7 @@ void order_snapshot(Editor& editor, UiState& state, const std::filesystem::path&
                           : starting_folder(editor, state);
   ExportJob job;
   job.path = numbered_picture(folder, suggested_name(editor));
-  job.picture.layers = editor.shown_view().layers;
+  job.picture.layers = exported_layers(editor);
   state.exporting.order(std::move(job));
 }
 
@@ -153,6 +163,7 @@ bool handle_requests(Editor& editor, UiState& state, const std::filesystem::path
   for (const Request request : requests) {
     switch (request) {
       case Request::open_dialog: ask_what_to_open(editor, state); break;
+      case Request::image_dialog: ask_for_image(editor, state); break;
       case Request::save_dialog: ask_where_to_save(editor, state); break;
       case Request::texture_dialog: ask_for_texture(editor, state); break;
       case Request::write_snapshot: order_snapshot(editor, state, pictures_folder); break;

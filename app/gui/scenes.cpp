@@ -7,12 +7,15 @@
 #include <utility>
 
 #include "app/gui/canvas_picture.h"
+#include "app/gui/image_dialog.h"
 #include "app/gui/race_layout.h"
 #include "core/error.h"
 #include "render/theme.h"
 
 namespace foldless {
 namespace {
+
+constexpr float kMargin = 40;  // round the preview of an import, design pixels
 
 Viewport viewport_of(const Rectangle& place, Extent framebuffer) {
   return {static_cast<int>(place.x), framebuffer.height - static_cast<int>(place.y + place.height),
@@ -37,6 +40,23 @@ std::optional<HeatRange> common_range(const Race& race, HeatMeasure measure) {
   return common;
 }
 
+std::shared_ptr<const TextureLevels> image_of(const Editor& editor) {
+  const ImageImport& import = editor.image_import();
+  if (!import.is_open()) return editor.texture_image().image();
+  return import.image() ? import.image()->texture : nullptr;
+}
+
+std::optional<Box> box_of(const std::optional<TextureBox>& box) {
+  if (!box) return std::nullopt;
+  return Box{{box->min.x(), box->min.y()}, {box->max.x(), box->max.y()}};
+}
+
+std::optional<Box> place_of(const Editor& editor) {
+  const ImageImport& import = editor.image_import();
+  if (!import.is_open()) return box_of(editor.document().texture_box);
+  return import.image() ? box_of(import.image()->box()) : std::nullopt;
+}
+
 }  // namespace
 
 void Scenes::draw(Editor& editor, const Layout& layout, Extent framebuffer) {
@@ -47,16 +67,34 @@ void Scenes::draw(Editor& editor, const Layout& layout, Extent framebuffer) {
   glClearColor(background.r, background.g, background.b, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   heat_range_.reset();
-  if (editor.race().is_open())
+  if (editor.image_import().is_open())
+    draw_import(editor, layout, framebuffer);
+  else if (editor.race().is_open())
     draw_race(editor, layout, framebuffer);
   else if (editor.shown())
     draw_document(editor, layout, framebuffer);
+}
+
+/// The mesh as it would be, beside the dialog.
+void Scenes::draw_import(const Editor& editor, const Layout& layout, Extent framebuffer) {
+  const auto& mesh = editor.image_import().mesh();
+  if (!mesh || !place_) return;
+  const auto scale = static_cast<float>(editor.canvas().ui_scale);
+  SceneView view;
+  view.viewport = viewport_of(image_preview_place(layout, scale), framebuffer);
+  view.camera = fit_to_box(*place_, {view.viewport.width, view.viewport.height}, kMargin * scale);
+  ViewOptions options = editor.view();
+  // The outline in the colour of the rest shape, which stands out from the canvas.
+  options.layers = {.boundary = false, .handles = false, .rest = true};
+  canvas_.draw(*mesh->document.pose, view, options);
 }
 
 void Scenes::draw_document(const Editor& editor, const Layout& layout, Extent framebuffer) {
   const Snapshot& shown = *editor.shown();
   SceneView view = scene_view(editor, 0, 0);
   ViewOptions options = editor.shown_view();
+  // Never the checkerboard in place of a picture that is still being read.
+  if (editor.texture_image().is_reading()) options.layers.fill = false;
   if (editor.remesh_diff().is_shown()) {
     SceneView beside = view;
     beside.viewport = viewport_of(layout.rest, framebuffer);
@@ -74,7 +112,7 @@ void Scenes::draw_race(const Editor& editor, const Layout& layout, Extent frameb
   const Race& race = editor.race();
   while (lanes_.size() < race.lanes().size()) {
     lanes_.push_back(std::make_unique<SceneRenderer>());
-    if (image_) lanes_.back()->set_texture(*image_);
+    if (image_) lanes_.back()->set_texture(*image_, place_);
   }
   ViewOptions options = editor.shown_view();
   options.ui_scale = race.canvas().ui_scale;
@@ -91,17 +129,17 @@ void Scenes::draw_race(const Editor& editor, const Layout& layout, Extent frameb
 }
 
 void Scenes::follow_texture(Editor& editor) {
-  const std::filesystem::path wanted = editor.document().texture;
-  if (wanted == texture_) return;
-  texture_ = wanted;
-  image_.reset();
+  const auto image = image_of(editor);
+  const auto place = place_of(editor);
+  if (image == image_ && place == place_) return;
+  image_ = image;
+  place_ = place;
   canvas_.clear_texture();
   for (const auto& lane : lanes_) lane->clear_texture();
-  if (wanted.empty()) return;
+  if (!image) return;
   try {
-    image_ = load_image(wanted);
-    canvas_.set_texture(*image_);
-    for (const auto& lane : lanes_) lane->set_texture(*image_);
+    canvas_.set_texture(*image, place);
+    for (const auto& lane : lanes_) lane->set_texture(*image, place);
   } catch (const Error& error) {
     editor.toast(ToastKind::error, error.what());
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -26,14 +25,15 @@ class Scenes {
 
  private:
   void follow_texture(Editor& editor);
+  void draw_import(const Editor& editor, const Layout& layout, Extent framebuffer);
   void draw_document(const Editor& editor, const Layout& layout, Extent framebuffer);
   void draw_race(const Editor& editor, const Layout& layout, Extent framebuffer);
 
   SceneRenderer canvas_;
   /// One a lane: each keeps its mesh on the graphics card.
   std::vector<std::unique_ptr<SceneRenderer>> lanes_;
-  std::filesystem::path texture_;  ///< that they show
-  std::optional<Image> image_;     ///< of that file
+  std::shared_ptr<const TextureLevels> image_;  ///< that they show
+  std::optional<Box> place_;                    ///< of the image in the rest plane
   std::optional<HeatRange> heat_range_;
 };
 

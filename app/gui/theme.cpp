@@ -35,7 +35,7 @@ void set_surface_colours(ImGuiStyle& style, const Palette& p) {
   c[ImGuiCol_TableBorderStrong] = p.border;
   c[ImGuiCol_TableRowBg] = {0, 0, 0, 0};
   c[ImGuiCol_TableRowBgAlt] = {0, 0, 0, 0};
-  c[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.45F};
+  c[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, kDimmed};
 }
 
 void set_control_colours(ImGuiStyle& style, const Palette& p) {

@@ -28,6 +28,9 @@ struct Palette {
   std::array<ImVec4, 4> series;  ///< curves of the plots, told apart without red and green
 };
 
+/// Opacity of the shade over what a dialog covers.
+inline constexpr float kDimmed = 0.45F;
+
 /// The palettes by theme: dark, light and high contrast, in the order of the theme setting.
 const Palette& dark_palette();
 const Palette& light_palette();

@@ -31,6 +31,8 @@ constexpr double kTextCursorSeconds = 0.4;
 struct News {
   bool asks = false;       ///< about unsaved changes
   std::size_t toasts = 0;  ///< messages on screen
+  bool imports = false;    ///< an image is being made a document of
+  bool is_busy = false;    ///< with it
   bool operator==(const News&) const = default;
 };
 
@@ -165,7 +167,8 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   editor.view().theme = p.state.settings.theme;
   editor.update(spec.time);
   const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
-  const News news{editor.question() != nullptr, editor.toasts().size()};
+  const News news{editor.question() != nullptr, editor.toasts().size(),
+                  editor.image_import().is_open(), editor.image_import().is_busy()};
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order()) p.carry_out(*job, editor);
   p.scenes.draw(editor, p.layout, spec.framebuffer);
@@ -216,7 +219,9 @@ void Ui::route(Editor& editor, const std::vector<UiEvent>& events, double time) 
 void Ui::draw_panels(Editor& editor) {
   Parts& p = *parts_;
   const PanelContext context{p.state, p.look, p.layout};
-  if (editor.race().is_open()) {
+  if (editor.image_import().is_open()) {
+    draw_import_overlay(editor, context);
+  } else if (editor.race().is_open()) {
     draw_race_panel(editor, context);
   } else {
     draw_canvas_overlay(editor, context);

@@ -29,6 +29,18 @@ void append_sized_faces(std::string& text, const Triangles& triangles) {
   }
 }
 
+/// Faces counted from 1; `v/vt` where every vertex has a texture coordinate.
+void append_obj_faces(std::string& text, const Triangles& triangles, bool is_textured) {
+  for (const auto& t : triangles.colwise()) {
+    text += 'f';
+    for (const int v : t) {
+      append_number(text += ' ', v + 1);
+      if (is_textured) append_number(text += '/', v + 1);
+    }
+    text += '\n';
+  }
+}
+
 Points texture_coordinates(const Points& rest) {
   const Vec2 low = rest.rowwise().minCoeff();
   const double side = (rest.rowwise().maxCoeff() - low).maxCoeff();
@@ -43,18 +55,21 @@ std::string sizes(const Triangles& triangles, const Points& points) {
 }  // namespace
 
 std::string obj_text(const Triangles& triangles, const Points& points, const Points* rest) {
-  assert(!rest || rest->cols() == points.cols());
+  if (rest && rest->cols() > 0)
+    return textured_obj_text(triangles, points, texture_coordinates(*rest));
   std::string text;
   append_points(text, "v ", points, " 0\n");
-  if (rest && rest->cols() > 0) append_points(text, "vt ", texture_coordinates(*rest), "\n");
-  for (const auto& t : triangles.colwise()) {
-    text += 'f';
-    for (const int v : t) {
-      append_number(text += ' ', v + 1);
-      if (rest) append_number(text += '/', v + 1);
-    }
-    text += '\n';
-  }
+  append_obj_faces(text, triangles, false);
+  return text;
+}
+
+std::string textured_obj_text(const Triangles& triangles, const Points& points,
+                              const Points& coordinates) {
+  assert(coordinates.cols() == points.cols());
+  std::string text;
+  append_points(text, "v ", points, " 0\n");
+  append_points(text, "vt ", coordinates, "\n");
+  append_obj_faces(text, triangles, true);
   return text;
 }
 

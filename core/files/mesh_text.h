@@ -14,6 +14,10 @@ namespace foldless {
 std::string obj_text(const Triangles& triangles, const Points& points,
                      const Points* rest = nullptr);
 
+/// Wavefront OBJ with these texture coordinates, 2 × #V.
+std::string textured_obj_text(const Triangles& triangles, const Points& points,
+                              const Points& coordinates);
+
 /// Geomview OFF.
 std::string off_text(const Triangles& triangles, const Points& points);
 

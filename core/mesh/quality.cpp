@@ -2,7 +2,9 @@
 #include "core/mesh/quality.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace foldless {
 
@@ -22,6 +24,17 @@ Quality quality_of(const Triangles& triangles, const Points& rest, const Points&
   }
   quality.mean_conformal_distortion = unfolded ? quality.mean_conformal_distortion / unfolded : 1;
   return quality;
+}
+
+double smallest_angle(const Shape& shape) {
+  double smallest = std::numbers::pi;
+  for (const auto& t : shape.triangles.colwise())
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 a = shape.rest.col(t[(k + 1) % 3]) - shape.rest.col(t[k]);
+      const Vec2 b = shape.rest.col(t[(k + 2) % 3]) - shape.rest.col(t[k]);
+      smallest = std::min(smallest, std::atan2(cross(a, b), a.dot(b)));
+    }
+  return smallest * 180 / std::numbers::pi;
 }
 
 }  // namespace foldless

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/shape.h"
 #include "core/mesh/triangle.h"
 
 namespace foldless {
@@ -14,5 +15,9 @@ struct Quality {
 
 /// Precondition: the mesh has a triangle, and those at rest are positive.
 Quality quality_of(const Triangles& triangles, const Points& rest, const Points& deformed);
+
+/// The smallest angle of all triangles, in degrees; 180 without any, negative when one is
+/// clockwise.
+double smallest_angle(const Shape& shape);
 
 }  // namespace foldless

@@ -124,7 +124,7 @@ void refine(const TriangulateOptions& options, Triangulation& triangulation) {
   const double sine = std::sin(options.min_angle * std::numbers::pi / 180);
   Mesher mesher(triangulation, Criteria(sine * sine, options.edge_length));
   mesher.init(true);
-  while (mesher.try_one_step_refine_mesh())
+  while (!options.stop.stop_requested() && mesher.try_one_step_refine_mesh())
     if (triangulation.number_of_vertices() > static_cast<std::size_t>(options.vertex_limit))
       throw Error("the mesh of the outline would have more than " +
                   std::to_string(options.vertex_limit) + " vertices; allow longer edges");

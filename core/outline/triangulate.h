@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/mesh/shape.h"
@@ -21,6 +22,7 @@ struct TriangulateOptions {
   double edge_length = 0;   ///< no edge is longer; length; 0: as the angles need
   double min_angle = 20.7;  ///< degrees, 0 … 33; corners of the outline itself may be sharper
   int vertex_limit = 1'000'000;  ///< more are refused
+  std::stop_token stop = {};     ///< once requested, what comes is only good for throwing away
 };
 
 /// Meshes an outline by Delaunay refinement [Ruppert 95, Shewchuk 02]. The outline's corners keep

@@ -22,16 +22,25 @@ struct SceneState {
   Points deformed;      ///< 2 × #V
 };
 
+/// Where in the plane of the rest mesh the texture lies, as a whole.
+struct TextureBox {
+  Vec2 min = Vec2::Zero();  ///< lower left corner of the image
+  Vec2 max = Vec2::Ones();  ///< upper right corner, greater in x and y
+
+  bool operator==(const TextureBox&) const = default;
+};
+
 /// A scene file in memory (FORMATS: version 1). Everything is in input units.
 struct Scene {
   /// Absolute folder that `mesh_path` and `texture_path` are relative to: that of the scene file,
   /// or empty while there is none.
   std::filesystem::path folder;
-  std::string mesh_path;            ///< as written in the file, relative to `folder`; empty: inline
-  Triangles triangles;              ///< 3 × #F of the original mesh, validated
-  Points rest;                      ///< 2 × #V of the original mesh
-  std::string texture_path;         ///< as written, relative to `folder`; empty: checkerboard
-  const Density* energy = nullptr;  ///< a row of densities(); never null after loading
+  std::string mesh_path;     ///< as written in the file, relative to `folder`; empty: inline
+  Triangles triangles;       ///< 3 × #F of the original mesh, validated
+  Points rest;               ///< 2 × #V of the original mesh
+  std::string texture_path;  ///< as written, relative to `folder`; empty: checkerboard
+  std::optional<TextureBox> texture_box;  ///< absent: the box of the rest mesh
+  const Density* energy = nullptr;        ///< a row of densities(); never null after loading
   std::vector<Handle> handles;  ///< vertices of the original mesh, or of `state` where there is one
   Parameters parameters;
   std::optional<SceneState> state;

@@ -53,11 +53,12 @@ class SceneReader {
     const JsonNode node = parse_json(read_file(file_), name_);
     const JsonValue root(node, name_);
     read_version(root);
-    root.allow_only(
-        {"version", "description", "mesh", "texture", "energy", "handles", "solver", "state"});
+    root.allow_only({"version", "description", "mesh", "texture", "texture_box", "energy",
+                     "handles", "solver", "state"});
     scene_.folder = fs::absolute(file_).parent_path();
     if (const auto text = root.find("description")) scene_.description = text->text();
     if (const auto path = root.find("texture")) scene_.texture_path = path->text();
+    if (const auto box = root.find("texture_box")) scene_.texture_box = read_box(*box);
     read_energy(root.at("energy"));
     if (const auto solver = root.find("solver")) read_solver(*solver);
     read_mesh_of(root.at("mesh"));
@@ -75,6 +76,14 @@ class SceneReader {
       version->refuse("is " + version->shown() + ", but this program reads version " +
                       std::to_string(kSceneVersion) + "; use a newer Foldless");
     if (number < 1) version->refuse("is " + version->shown() + ", but versions begin with 1");
+  }
+
+  static TextureBox read_box(const JsonValue& value) {
+    const Points corners = value.points();
+    if (corners.cols() != 2 || !(corners.col(0).array() < corners.col(1).array()).all())
+      value.refuse("is " + value.shown() +
+                   ", but the lower left and the upper right corner are needed: [[x, y], [x, y]]");
+    return {corners.col(0), corners.col(1)};
   }
 
   void read_energy(const JsonValue& energy) {

@@ -107,6 +107,9 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
   root.emplace_back("mesh", mesh_node(scene, path_from(folder, scene.mesh_path, scene.folder)));
   const std::string texture = path_from(folder, scene.texture_path, scene.folder);
   if (!texture.empty()) root.emplace_back("texture", JsonNode{texture});
+  if (const auto& box = scene.texture_box)
+    root.emplace_back("texture_box",
+                      JsonNode{JsonNode::Array{point_node(box->min), point_node(box->max)}});
   root.emplace_back("energy", JsonNode{std::string(scene.energy->name)});
   root.emplace_back("handles", handles_node(scene.handles));
   root.emplace_back("solver", solver_node(scene.parameters));

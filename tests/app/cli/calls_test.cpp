@@ -45,7 +45,7 @@ TEST(EditorCall, SaysInALineWhyItDoesNotOpen) {
 }
 
 TEST(Help, OfEveryCallEndsWithAnExample) {
-  for (const std::string call : {"", "solve", "render", "check", "bench"}) {
+  for (const std::string call : {"", "solve", "render", "mesh", "check", "bench"}) {
     const Ended ended = call.empty() ? test::run({"--help"}) : test::run({call, "--help"});
     EXPECT_EQ(ended.status, 0);
     EXPECT_EQ(ended.err, "");
@@ -55,7 +55,7 @@ TEST(Help, OfEveryCallEndsWithAnExample) {
     EXPECT_EQ(std::ranges::count(example, '\n'), 1) << "the last line: " << example;
     EXPECT_NE(example.find("foldless " + call), std::string::npos);
     const std::size_t path = example.find('/');
-    const std::string sample = example.substr(path, example.find(".json") + 5 - path);
+    const std::string sample = example.substr(path, example.find_first_of(" \n", path) - path);
     EXPECT_TRUE(std::filesystem::exists(sample)) << "cannot be pasted: " << sample;
   }
 }

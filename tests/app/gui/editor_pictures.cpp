@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of the whole editor, drawn off screen: editor_pictures FOLDER
+// Pictures of the whole editor, drawn off screen: editor_pictures FOLDER [IMAGE]
+// With an image, only those of its way to a pose.
 // The README's picture comes from here; the others are for looking at after a change.
 #include <cstdlib>
 #include <exception>
@@ -10,6 +11,7 @@
 #include "core/data_path.h"
 #include "tests/app/gui/folding_document.h"
 #include "tests/app/gui/headless_editor.h"
+#include "tests/support/pictures.h"
 
 namespace foldless::test {
 namespace {
@@ -185,6 +187,49 @@ void draw_stuck(const std::filesystem::path& folder) {
   save_png(folder / "stuck-flipped.png", headless.picture());
 }
 
+/// An image on its way to a pose: the dialog, the picture alone, a pulled pin, the mesh.
+void draw_import(const std::filesystem::path& image, const std::filesystem::path& folder) {
+  HeadlessEditor headless;
+  Editor& editor = headless.editor();
+  const auto shoot = [&](const char* name) { save_png(folder / name, headless.picture()); };
+  editor.open(image);
+  headless.settle();
+  shoot("import-reading.png");
+  headless.wait_until([&] { return editor.image_import().is_ready(); }, 20);
+  shoot("import.png");
+  headless.ui().settings().theme = Theme::light;
+  headless.settle();
+  shoot("import-light.png");
+  headless.ui().settings().theme = Theme::dark;
+  headless.ui().settings().scale = 2;
+  headless.settle();
+  shoot("import-200.png");
+  headless.ui().settings().scale = 1;
+  headless.settle();
+  headless.key(Key::enter);
+  headless.wait_until([&] { return !editor.document().is_empty(); }, 20);
+  headless.calm_down();
+  shoot("import-taken.png");
+  const Points& rest = *editor.shown()->rest;
+  Eigen::Index left = 0, right = 0;
+  rest.row(0).minCoeff(&left);
+  rest.row(0).maxCoeff(&right);
+  headless.click(headless.window_point(rest.col(left)));
+  const Vec2 from = headless.window_point(headless.position(static_cast<int>(right)));
+  begin_drag(headless, from, {60, -90});
+  end_drag(headless, from + Vec2(60, -90));
+  shoot("import-posed.png");
+  headless.key(Key::tab);
+  headless.calm_down();
+  shoot("import-mesh.png");
+}
+
+void draw_generated_import(const std::filesystem::path& folder) {
+  const auto image = folder / "ring.png";
+  write_ring(image, 600);
+  draw_import(image, folder);
+}
+
 void draw_hidpi(const std::filesystem::path& folder) {
   HeadlessEditor headless({2560, 1600});
   headless.set_content_scale(2);
@@ -200,12 +245,17 @@ void draw_hidpi(const std::filesystem::path& folder) {
 }  // namespace foldless::test
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: editor_pictures FOLDER\n";
+  if (argc != 2 && argc != 3) {
+    std::cerr << "usage: editor_pictures FOLDER [IMAGE]\n";
     return EXIT_FAILURE;
   }
   try {
     std::filesystem::create_directories(argv[1]);
+    if (argc == 3) {
+      foldless::test::draw_import(argv[2], argv[1]);
+      return EXIT_SUCCESS;
+    }
+    foldless::test::draw_generated_import(argv[1]);
     foldless::test::draw_all(argv[1]);
     foldless::test::draw_hidpi(argv[1]);
     foldless::test::draw_comparisons(argv[1]);

@@ -30,6 +30,7 @@ Scene full_scene() {
       0, -0.0, 1, 1e-17 + 1, 0.2;
   scene.triangles = Triangles::Map(std::array{0, 1, 2, 0, 2, 3}.data(), 3, 2);
   scene.texture_path = "pictures/a \"b\".png";
+  scene.texture_box = TextureBox{{-0.25, 0}, {1, 1.5}};
   scene.energy = find_density("green-strain");
   scene.handles = {{4, 2, Vec2(0.1 + 0.2, -1e300), HandleKind::pin, 1},
                    {1, 0, Vec2(0, 5e-324), HandleKind::soft, 0.125}};
@@ -46,6 +47,7 @@ void expect_equal(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.triangles, b.triangles);
   EXPECT_EQ(a.rest, b.rest);
   EXPECT_EQ(a.texture_path, b.texture_path);
+  EXPECT_EQ(a.texture_box, b.texture_box);
   EXPECT_EQ(a.energy, b.energy);
   EXPECT_EQ(a.handles, b.handles);
   EXPECT_EQ(a.parameters, b.parameters);

@@ -24,7 +24,7 @@ TEST(SceneMessages, NameUnknownWords) {
   EXPECT_EQ(
       folder.error_with(R"("colour": "red")"),
       "scene.json:2: 'colour' = 'red' is an unknown key; known keys are version, description, "
-      "mesh, texture, energy, handles, solver, state");
+      "mesh, texture, texture_box, energy, handles, solver, state");
   EXPECT_TRUE(folder.error_with(R"("solver": {"detla": 1e-5})")
                   .starts_with("scene.json:2: solver.'detla' = 1e-05 is an unknown key"));
   EXPECT_TRUE(folder.error_with(R"("handles": [{"vertex": 0, "target": [0, 0], "x": 1}])")
@@ -48,6 +48,9 @@ TEST(SceneMessages, NameValuesOfTheWrongKind) {
   EXPECT_EQ(
       folder.error_in(R"({"energy": "arap", "mesh": null})"),
       "scene.json:1: mesh is null, but a path or an object of vertices and triangles is needed");
+  EXPECT_EQ(folder.error_with(R"("texture_box": [[0, 0], [0, 5]])"),
+            "scene.json:2: texture_box is an array of length 2, but the lower left and the upper "
+            "right corner are needed: [[x, y], [x, y]]");
   EXPECT_EQ(folder.error_with(R"("handles": {})"),
             "scene.json:2: handles is an object, but an array is needed");
   EXPECT_EQ(folder.error_with(R"("handles": [{"vertex": 1.5, "target": [0, 0]}])"),

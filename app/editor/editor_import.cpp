@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <system_error>
+
+#include "app/editor/editor.h"
+
+namespace foldless {
+
+void Editor::take_image() {
+  takes_image_ = import_.is_open();
+  update_import();
+}
+
+void Editor::close_import() {
+  takes_image_ = false;
+  if (!import_.is_open()) return;
+  import_.close();
+  redraw();
+}
+
+void Editor::update_import() {
+  if (import_.poll()) redraw();
+  if (!import_.problem().empty()) takes_image_ = false;
+  if (import_.is_open() && !import_.image() && !import_.is_busy()) {
+    toast(ToastKind::error, import_.problem());
+    std::error_code error;
+    if (!std::filesystem::exists(import_.file(), error)) recent_.remove(import_.file());
+    return close_import();
+  }
+  if (!takes_image_ || !import_.is_ready()) return;
+  const auto image = import_.image();
+  const Document document = import_.mesh()->document;
+  texture_image_.adopt(image->file, image->texture);
+  install(document, "Open " + image->file.filename().string());
+  view_.layers = {.wireframe = false, .boundary = false};  // the picture alone
+  path_.clear();
+  mark_saved();
+  recent_.add(image->file);
+}
+
+void Editor::follow_texture() {
+  texture_image_.follow(document_.texture);
+  if (!texture_image_.poll()) return;
+  redraw();
+  if (!texture_image_.problem().empty()) toast(ToastKind::error, texture_image_.problem());
+}
+
+}  // namespace foldless

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/image_dialog.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "app/gui/widgets.h"
+#include "core/files/mesh_source.h"
+
+namespace foldless {
+namespace {
+
+constexpr float kWidth = 284;  // design pixels
+
+Rectangle dialog_place(const Layout& layout, float scale) {
+  const float right = layout.status_bar.width;
+  const float width =
+      std::min(std::max(layout.right.width, std::round(kWidth * scale)), 0.6F * right);
+  const float top = layout.menu_bar.height;
+  return {right - width, top, width, layout.status_bar.y - top};
+}
+
+/// One number of the options.
+struct Row {
+  const char* title;
+  const char* format;
+  const char* tip;
+  double ImageMeshOptions::*value;
+  double minimum, maximum;
+  bool is_logarithmic = false;
+};
+
+/// The largest lengths follow the size of the image.
+std::array<Row, 5> rows_for(const AlphaMap& alpha) {
+  const double side = std::sqrt(static_cast<double>(alpha.width) * alpha.height);
+  using O = ImageMeshOptions;
+  return {{
+      {"Longest edge", "%.3g px",
+       "No edge of a triangle is longer: shorter edges bend more finely.", &O::edge_length,
+       std::max(1.0, side / 250), std::max(2.0, side / 4), true},
+      {"Margin", "%.3g px", "How far the outline stays away from what is drawn.", &O::margin, 0,
+       std::max(10.0, side / 20)},
+      {"Simplification", "%.3g px", "By how much the outline may leave out details.", &O::simplify,
+       0, std::max(5.0, side / 50)},
+      {"Threshold", "%.2f", "How opaque a pixel must be to belong to the drawing.", &O::threshold,
+       0.01, 1},
+      {"Smallest angle", "%.0f°", "Of the triangles; sharp corners of the outline excepted.",
+       &O::min_angle, 0, 33},
+  }};
+}
+
+bool draw_row(const Row& row, ImageMeshOptions& options, const Look& look) {
+  double& value = options.*row.value;
+  ImGui::TextUnformatted(row.title);
+  ImGui::SetNextItemWidth(-1);
+  ImGui::PushID(row.title);
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, ImVec4{0, 0, 0, 0});
+  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, ImVec4{0, 0, 0, 0});
+  const ImGuiSliderFlags flags =
+      ImGuiSliderFlags_AlwaysClamp | (row.is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &row.minimum,
+                                           &row.maximum, row.format, flags);
+  ImGui::PopStyleColor(2);
+  ImGui::PopID();
+  const double low = row.is_logarithmic ? std::log(row.minimum) : row.minimum;
+  const double high = row.is_logarithmic ? std::log(row.maximum) : row.maximum;
+  slider_line(((row.is_logarithmic ? std::log(value) : value) - low) / (high - low), look);
+  tooltip(std::string(row.tip) + " Ctrl-click to type a number.", look);
+  return changed;
+}
+
+void draw_presets(const ImportedImage& image, ImageMeshOptions& options) {
+  constexpr std::array kTitles{"Coarse", "Medium", "Fine"};
+  for (std::size_t i = 0; i < kTitles.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    if (ImGui::RadioButton(kTitles[i], options == image.presets[i])) options = image.presets[i];
+  }
+}
+
+void draw_options(Editor& editor, const Look& look) {
+  ImageImport& import = editor.image_import();
+  if (!import.image()) return dim_text("Reading the image…", look);
+  const AlphaMap& alpha = import.image()->alpha;
+  dim_text(std::to_string(alpha.width) + " × " + std::to_string(alpha.height) + " pixels", look);
+  ImGui::Spacing();
+  ImageMeshOptions options = import.options();
+  draw_presets(*import.image(), options);
+  ImGui::Spacing();
+  for (const Row& row : rows_for(alpha)) draw_row(row, options, look);
+  import.set_options(options);
+}
+
+std::string angle_words(double angle) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "smallest angle %.1f°", angle);
+  return text.data();
+}
+
+std::string count(int number, const char* noun) {
+  return counted(static_cast<std::size_t>(number), noun);
+}
+
+void draw_result(const ImageImport& import, const Look& look) {
+  if (!import.problem().empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, look.palette->warning);
+    ImGui::TextWrapped("%s", import.problem().c_str());
+    ImGui::PopStyleColor();
+    return;
+  }
+  if (!import.mesh()) return;
+  const ImageMesh& mesh = import.mesh()->mesh;
+  dim_text(count(static_cast<int>(mesh.shape.rest.cols()), "vertex") + ", " +
+               count(static_cast<int>(mesh.shape.triangles.cols()), "triangle"),
+           look);
+  dim_text(count(mesh.parts, "part") + ", " + count(mesh.holes, "hole") + ", " +
+               angle_words(mesh.min_angle),
+           look);
+  if (mesh.specks > 0) dim_text(count(mesh.specks, "speck") + " left out", look);
+  if (mesh.filled_holes > 0) dim_text(count(mesh.filled_holes, "tiny hole") + " filled", look);
+}
+
+/// Enter and Esc belong to a number that is being typed. The key that chose the image in another
+/// dialog may still be down: its repeats do not count.
+bool is_struck(ImGuiKey key) {
+  return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
+
+void draw_buttons(Editor& editor, const Look& look) {
+  const bool has_problem = !editor.image_import().problem().empty();
+  ImGui::BeginDisabled(has_problem);
+  const bool takes = main_button("Make the mesh", look);
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  const bool leaves = ImGui::Button("Cancel");
+  if (takes || (!has_problem && is_struck(ImGuiKey_Enter))) return editor.take_image();
+  if (leaves || is_struck(ImGuiKey_Escape)) editor.close_import();
+}
+
+bool begin(const char* id, const PanelContext& context) {
+  const Rectangle place = dialog_place(context.layout, context.look.scale);
+  ImGui::SetNextWindowPos({place.x, place.y});
+  ImGui::SetNextWindowSize({place.width, place.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      ImVec2{context.look.px(16), context.look.px(14)});
+  const bool is_open =
+      ImGui::BeginPopupModal(id, nullptr,
+                             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleVar();
+  return is_open;
+}
+
+}  // namespace
+
+void draw_image_dialog(Editor& editor, const PanelContext& context) {
+  const char* id = "##image";
+  const bool is_open = editor.image_import().is_open() && !editor.question();
+  // The preview beside it is looked at, other dialogs darken what they cover.
+  ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w = is_open ? 0 : kDimmed;
+  if (is_open && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+  if (!begin(id, context)) return;
+  if (!is_open) ImGui::CloseCurrentPopup();
+  const Look& look = context.look;
+  title_text("New from an image", look);
+  dim_text(editor.image_import().file().filename().string(), look);
+  // In a low window the options scroll, the buttons stay.
+  ImGui::BeginChild("options", {0, -ImGui::GetFrameHeightWithSpacing()});
+  draw_options(editor, look);
+  ImGui::Spacing();
+  draw_result(editor.image_import(), look);
+  ImGui::EndChild();
+  if (is_open) draw_buttons(editor, look);
+  ImGui::EndPopup();
+}
+
+Rectangle image_preview_place(const Layout& layout, float scale) {
+  Rectangle place = layout.canvas;
+  const float right = dialog_place(layout, scale).x;
+  place.width = std::max(1.0F, std::min(place.width, right - place.x));
+  return place;
+}
+
+std::string import_words(const ImageImport& import) {
+  if (!import.image()) return "Reading the image…";
+  if (import.is_busy()) return "Making the mesh…";
+  if (!import.mesh() || !import.problem().empty()) return "";
+  return count(static_cast<int>(import.mesh()->mesh.shape.triangles.cols()), "triangle");
+}
+
+}  // namespace foldless
