@@ -10,9 +10,9 @@ namespace {
 std::shared_ptr<const ImportedImage> read_image(const std::filesystem::path& file) {
   auto imported = std::make_shared<ImportedImage>();
   imported->file = file;
-  const Image image = load_image(file);
+  Image image = load_image(file);
   imported->alpha = {image.width, image.height, alpha_of(image)};
-  imported->texture = std::make_shared<const TextureLevels>(texture_levels(image));
+  imported->texture = std::make_shared<const TextureLevels>(texture_levels(std::move(image)));
   for (const MeshDetail detail : {MeshDetail::coarse, MeshDetail::medium, MeshDetail::fine})
     imported->presets[static_cast<std::size_t>(detail)] = options_for(imported->alpha, detail);
   return imported;

@@ -91,18 +91,8 @@ void Foldless::set_targets(const Points& targets) {
 
 Steps<Outcome> Foldless::solve(Start start) {
   const bool is_drag = start == Start::drag;
-  // What the handles of a part do together costs no step. Where it is not all of their way the mesh
-  // leaps, so not while somebody looks at it.
-  bool has_moved = false;
-  if (work_.error() > 0) has_moved = co_await move_together(work_, CommonMotion::exact);
-  if (!is_drag && work_.error() > 0) co_await coarse_to_fine();
-  if (!is_drag && work_.error() > 0) {
-    const bool is_near = co_await move_together(work_, CommonMotion::near);
-    has_moved = has_moved || is_near;
-  }
-  const bool is_plain = !has_moved && legs_of(work_).size() == 1;
-  std::optional<MeshPair> moved;
-  if (has_moved && !is_drag) moved = work_.mesh;
+  const std::optional<MeshPair> moved = co_await begin_cheaply(is_drag);
+  const bool is_plain = !moved && legs_of(work_).size() == 1;
 
   Progress progress = Progress::arrived;
   if (work_.error() > 0) progress = co_await pursue(work_);
@@ -142,6 +132,21 @@ Steps<Outcome> Foldless::solve(Start start) {
   if (!is_drag) co_await try_candidates();
   if (!is_drag) co_await uncrush(ways);
   co_return Outcome::gradient;
+}
+
+// What the handles of a part do together costs no step. Where it is not all of their way the mesh
+// leaps, so not while somebody looks at it.
+Steps<std::optional<MeshPair>> Foldless::begin_cheaply(bool is_drag) {
+  bool has_moved = false;
+  if (work_.error() > 0) has_moved = co_await move_together(work_, CommonMotion::exact);
+  if (is_drag) co_return std::nullopt;
+  if (work_.error() > 0) co_await coarse_to_fine();
+  if (work_.error() > 0) {
+    const bool is_near = co_await move_together(work_, CommonMotion::near);
+    has_moved = has_moved || is_near;
+  }
+  if (!has_moved) co_return std::nullopt;
+  co_return work_.mesh;
 }
 
 // The paper's future work: Newton's steps are spent where they are cheap.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,7 @@ class Foldless final : public SteppedMethod {
  public:
   /// β per unit rest area: independent of the number of triangles, unlike the paper's.
   static constexpr double kBeta = 2;
-  /// κ, the weight of the barrier that keeps boundary vertices from overlapping themselves. What
-  /// comes of it is much the same from a tenth of it to four times as much.
+  /// κ, the weight of the barrier that keeps boundary vertices from overlapping themselves.
   static constexpr double kGapWeight = 0.5;
 
   explicit Foldless(const Problem& problem, const CoarseSettings& dense = {});
@@ -44,6 +44,9 @@ class Foldless final : public SteppedMethod {
   };
 
   Steps<Outcome> solve(Start start);
+  /// Goes as far as Newton's steps on this mesh are not needed. The mesh if handles moved together;
+  /// never in a drag.
+  Steps<std::optional<MeshPair>> begin_cheaply(bool is_drag);
   Steps<> coarse_to_fine();
   Steps<Progress> split_and_approach(FactorUse use);
   Steps<> try_candidates();
