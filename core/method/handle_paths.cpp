@@ -10,8 +10,6 @@
 namespace foldless {
 namespace {
 
-using Complex = std::complex<double>;
-
 /// Handles that travel less than this part of the longest way count as standing still.
 constexpr double kStandingStill = 1e-3;
 /// Samples along a path from which its length is taken.
@@ -19,8 +17,8 @@ constexpr int kSamples = 16;
 /// |1 − a| below which a similarity has no fixed point to speak of.
 constexpr double kLeastTurn = 1e-6;
 
-Complex complex(const Vec2& p) { return {p.x(), p.y()}; }
-Vec2 vector(const Complex& z) { return {z.real(), z.imag()}; }
+std::complex<double> complex(const Vec2& p) { return {p.x(), p.y()}; }
+Vec2 vector(const std::complex<double>& z) { return {z.real(), z.imag()}; }
 
 /// Those that move.
 std::vector<int> moving_of(const Points& starts, const Points& targets) {
@@ -57,11 +55,13 @@ HandlePaths::HandlePaths(PathKind kind, Points starts, Points targets)
 }
 
 void HandlePaths::find_turns() {
-  const Complex centre = (complex(end_centre_) - a_ * complex(start_centre_)) / (1.0 - a_);
+  const std::complex<double> centre =
+      (complex(end_centre_) - a_ * complex(start_centre_)) / (1.0 - a_);
   start_centre_ = end_centre_ = vector(centre);
   const double turn = 2 * std::numbers::pi;
   for (Eigen::Index i = 0; i < starts_.cols(); ++i) {
-    const Complex from = complex(starts_.col(i)) - centre, to = complex(targets_.col(i)) - centre;
+    const std::complex<double> from = complex(starts_.col(i)) - centre,
+                               to = complex(targets_.col(i)) - centre;
     const double angle = std::arg(to * std::conj(from));
     // Of the angles that differ by full turns, the one nearest to that of the others.
     const bool stands = starts_.col(i) == targets_.col(i);
@@ -74,14 +74,14 @@ Vec2 HandlePaths::at(int handle, double lambda) const {
   Vec2 to = targets_.col(handle);
   if (lambda >= 1 || from == to) return to;
   if (kind_ == PathKind::similar) {
-    const Complex z = complex(from - start_centre_);
+    const std::complex<double> z = complex(from - start_centre_);
     const Vec2 residual = to - (vector(a_ * z) + end_centre_);
     return vector(std::pow(a_, lambda) * z) + start_centre_ +
            lambda * (end_centre_ - start_centre_ + residual);
   }
   const double r0 = (from - start_centre_).norm(), r1 = (to - start_centre_).norm();
   if (kind_ == PathKind::straight || r0 == 0) return from + lambda * (to - from);
-  const Complex direction = complex(from - start_centre_) / r0;
+  const std::complex<double> direction = complex(from - start_centre_) / r0;
   const double angle = angles_[static_cast<std::size_t>(handle)];
   return start_centre_ +
          vector((r0 + lambda * (r1 - r0)) * std::polar(1.0, lambda * angle) * direction);
