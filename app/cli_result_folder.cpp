@@ -165,8 +165,8 @@ void ResultFolder::take_names() {
     for (const ResultFile& file : arriving) expect_free(file.name);
     take_frames(manifest);
     // The two meshes right after each other: many readers look at nothing else.
-    std::ranges::stable_partition(
-        arriving, [](const ResultFile& file) { return !file.name.ends_with(".obj"); });
+    std::stable_partition(arriving.begin(), arriving.end(),
+                          [](const ResultFile& file) { return !file.name.ends_with(".obj"); });
     for (const ResultFile& file : arriving)
       if (is_there(committed / file.name))
         rename_or_refuse(committed / file.name, folder_ / file.name);
