@@ -105,7 +105,8 @@ TEST_F(ImageDialog, ADraggedPinTakesThePictureWithIt) {
   EXPECT_GT(target.x(), 260);
   editor().view().layers.handles = false;
   headless_.calm_down();
-  const std::uint8_t* drawn = pixel(headless_.picture(), target);
+  const Image picture = headless_.picture();
+  const std::uint8_t* drawn = pixel(picture, target);
   EXPECT_NEAR(drawn[0], 255 * 240 / 300, 8) << "the colour of where the pin was";
 }
 
