@@ -38,12 +38,12 @@ TEST(Bench, RunsMethodsOverRandomScenesAndWritesTables) {
 
 TEST(Bench, AKeptSceneIsSolvedTheSameWay) {
   const TemporaryFolder folder;
-  test::run({"bench", "--suite", "random", "--seed", "3", "--only", "2", "--method", "paper-flip",
+  test::run({"bench", "--suite", "random", "--seed", "3", "--only", "2", "--method", "foldless",
              "-o", folder / "out", "--keep", folder / "scenes"});
   const json row = json::parse(read_text(folder / "out/results.json"))[0];
   const std::string scene = folder / ("scenes/" + row["scene"].get<std::string>() + ".json");
   const Ended solved =
-      test::run({"solve", scene, "-o", folder / "solved", "--method", "paper-flip", "--json"});
+      test::run({"solve", scene, "-o", folder / "solved", "--method", "foldless", "--json"});
   const json report = json::parse(solved.out);
   EXPECT_EQ(report["factorizations"], row["factorizations"]);
   EXPECT_EQ(report["satisfied"], row["satisfied"]);
