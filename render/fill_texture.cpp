@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/fill_texture.h"
 
-#include <algorithm>
 #include <string>
 
 #include "core/error.h"

@@ -92,7 +92,7 @@ void Foldless::set_targets(const Points& targets) {
 Steps<Outcome> Foldless::solve(Start start) {
   const bool is_drag = start == Start::drag;
   const std::optional<MeshPair> moved = co_await begin_cheaply(is_drag);
-  const bool is_plain = !moved && legs_of(work_).size() == 1;
+  const bool is_plain = is_drag || (!moved && legs_of(work_).size() == 1);
 
   Progress progress = Progress::arrived;
   if (work_.error() > 0) progress = co_await pursue(work_);
@@ -105,7 +105,7 @@ Steps<Outcome> Foldless::solve(Start start) {
     progress = co_await approach(work_, FactorUse::lagged, legs_of(work_));
   }
   if (progress == Progress::locked && is_proved_infeasible()) co_return Outcome::infeasible;
-  if (progress == Progress::locked && !is_drag && !is_plain) {
+  if (progress == Progress::locked && !is_plain) {
     work_.set_mesh(problem_.mesh);
     progress = co_await approach(work_, FactorUse::lagged);
   }
