@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_option_texts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+#include <vector>
+
+#include "core/energy/densities.h"
+#include "core/error.h"
+#include "core/files/text_lines.h"
+#include "core/method/methods.h"
+#include "core/scene/parameter_keys.h"
+
+namespace foldless {
+namespace {
+
+/// Of a list with commas.
+std::vector<std::string> items_of(const std::string& list) {
+  std::vector<std::string> items;
+  std::istringstream text(list);
+  for (std::string item; std::getline(text, item, ',');) items.push_back(item);
+  return items;
+}
+
+template <typename Rows>
+void expect_name(const char* flag, const std::string& name, const Rows& rows) {
+  if (name.empty() || std::ranges::find(rows, name, [](const auto& row) { return row.name; }) !=
+                          std::ranges::end(rows))
+    return;
+  throw Error(std::string(flag) + " " + in_quotes(name) +
+              " is unknown; choose one of: " + names_of(rows));
+}
+
+int positive_integer(std::string_view text, const std::string& what) {
+  const auto number = parse_integer(text);
+  if (!number || *number < 1) throw Error(what + ", not " + in_quotes(text));
+  return *number;
+}
+
+void read_start(const std::string& word, SolveCall& call) {
+  const ParameterKey& key = *find_parameter_key("start");
+  const auto index = index_of_word(key, word);
+  if (!index)
+    throw Error("--start " + in_quotes(word) +
+                " is unknown; choose one of: " + words_of(key.words));
+  call.parameters.push_back({std::string(key.name), *index});
+}
+
+double read_seconds(const std::string& text) {
+  const auto seconds = parse_number(text);
+  if (!seconds || *seconds <= 0)
+    throw Error("--time-limit takes a number of seconds above 0, not " + in_quotes(text));
+  return *seconds;
+}
+
+void read_size(const std::string& text, FigureOptions& figure) {
+  const std::size_t x = text.find('x');
+  const std::string what = "--size takes WIDTHxHEIGHT in pixels, such as 1200x900";
+  if (x == std::string::npos) throw Error(what + ", not " + in_quotes(text));
+  figure.width = positive_integer(std::string_view(text).substr(0, x), what);
+  figure.height = positive_integer(std::string_view(text).substr(x + 1), what);
+}
+
+FigureView read_view(const std::string& text) {
+  if (text == "deformed") return FigureView::deformed;
+  if (text == "rest") return FigureView::rest;
+  if (text == "both") return FigureView::both;
+  throw Error("--view takes deformed, rest or both, not " + in_quotes(text));
+}
+
+Layers read_layers(const std::string& text) {
+  Layers layers;
+  for (const LayerRow& row : kLayerRows) layers.*row.shown = false;
+  for (const std::string& name : items_of(text)) {
+    const auto row = std::ranges::find(kLayerRows, name, &LayerRow::name);
+    if (row == kLayerRows.end())
+      throw Error("--layers " + in_quotes(name) +
+                  " is unknown; choose among: " + names_of(kLayerRows));
+    layers.*(row->shown) = true;
+  }
+  return layers;
+}
+
+}  // namespace
+
+std::string words_of(std::span<const std::string_view> words) {
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
+  return list;
+}
+
+void read_solve(const Texts& texts, SolveCall& call) {
+  expect_name("--method", call.method, methods());
+  expect_name("--energy", call.energy, densities());
+  for (std::size_t i = 0; i < kNumberOptions.size(); ++i) {
+    const std::string& text = texts.numbers[i];
+    if (text.empty()) continue;
+    const NumberOption& option = kNumberOptions[i];
+    const auto value = parse_number(text);
+    if (!value) throw Error(std::string(option.flag) + " " + in_quotes(text) + " is not a number");
+    if (const auto no = objection(*find_parameter_key(option.key), *value))
+      throw Error(std::string(option.flag) + " " + *no + ", but is " + text);
+    call.parameters.push_back({std::string(option.key), *value});
+  }
+  if (!texts.start.empty()) read_start(texts.start, call);
+  if (texts.frames == "all")
+    call.frame_step = 1;
+  else if (!texts.frames.empty())
+    call.frame_step =
+        positive_integer(texts.frames, "--frames takes `all` or a number of 1 or more");
+  if (!texts.time_limit.empty()) call.time_limit = read_seconds(texts.time_limit);
+  if (call.threads && *call.threads < 1) throw Error("--threads takes a number of 1 or more");
+}
+
+void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
+  if (!texts.size.empty()) read_size(texts.size, call.figure);
+  if (!texts.view.empty()) call.figure.view = read_view(texts.view);
+  if (!texts.layers.empty()) call.figure.style.layers = read_layers(texts.layers);
+  if (call.figure.samples < 1) throw Error("--samples takes a number of 1 or more");
+  if (is_transparent) call.figure.style.background = Background::transparent;
+}
+
+void read_bench(const Texts& texts, BenchCall& call) {
+  if (!call.suite.empty() && call.suite != "random" && call.suite != "paper" &&
+      call.suite != "scale" && call.suite != "drag")
+    throw Error("--suite " + in_quotes(call.suite) +
+                " is unknown; choose random, paper, scale or drag");
+  if (call.suite.empty() == call.scenes.empty())
+    throw Error("bench takes either scene files or --suite random|paper|scale|drag");
+  for (const std::string& name : items_of(texts.methods))
+    if (!name.empty()) {
+      expect_name("--method", name, methods());
+      call.methods.push_back(name);
+    }
+  for (const std::string& index : items_of(texts.only)) {
+    if (index.empty()) continue;
+    const auto number = parse_integer(index);
+    if (!number || *number < 0)
+      throw Error("--only takes indices of scenes, from 0, not " + in_quotes(index));
+    call.only.push_back(*number);
+  }
+  if (call.count < 1) throw Error("--count takes a number of 1 or more");
+  if (call.options.threads < 1) throw Error("--jobs takes a number of 1 or more");
+  if (call.options.repeat < 1) throw Error("--repeat takes a number of 1 or more");
+  if (!(call.options.time_limit > 0)) throw Error("--time-limit takes a number above 0");
+}
+
+}  // namespace foldless
