@@ -77,6 +77,24 @@ TEST(Driver, AfterALockedPursuitOfADragItGoesOnFromTheMeshAsItIs) {
   EXPECT_GE(approaches, 8) << "the claim would be empty";
 }
 
+TEST(Driver, WhereAPursuitOfATurnLocksTheApproachGoesInLegsAndArrives) {
+  for (const double degrees : {170, 180, 190}) {  // straight ways lock here
+    SCOPED_TRACE(degrees);
+    Foldless method(test::held_grid(test::turned({20, 24, 56, 60}, degrees)));
+    int approaches = 0;
+    while (true) {
+      const auto record = method.step({});
+      ASSERT_TRUE(record);
+      if (record->phase == Phase::settle) break;
+      ASSERT_NE(record->phase, Phase::transport);
+      ASSERT_EQ(record->splits, 0);
+      if (record->phase == Phase::approach) ++approaches;
+    }
+    EXPECT_GT(approaches, 0) << "the claim would be empty";
+    EXPECT_LT(approaches, 50);
+  }
+}
+
 void expect_no_step_back(Foldless& method, int most_steps) {
   Iteration before;
   for (int step = 0; step < most_steps; ++step) {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 #include <random>
 #include <set>
 #include <utility>
@@ -41,13 +43,19 @@ inline Problem held_grid(const std::vector<std::pair<int, Vec2>>& moved, int but
   return grid_problem(handles);
 }
 
-/// The boundary of the grid held, a core of four vertices turned by 180° about the middle.
-inline Problem swirl() {
+/// The vertices turned by so many degrees about the middle of the grid.
+inline std::vector<std::pair<int, Vec2>> turned(const std::vector<int>& vertices, double degrees) {
   const Points rest = grid_problem({}).mesh.rest();
+  const Vec2 middle(0.35, 0.35);
+  const Eigen::Rotation2Dd turn(degrees * std::numbers::pi / 180);
   std::vector<std::pair<int, Vec2>> moved;
-  for (const int v : {30, 32, 48, 50}) moved.emplace_back(v, 2 * (Vec2(0.35, 0.35) - rest.col(v)));
-  return held_grid(moved);
+  for (const int v : vertices)
+    moved.emplace_back(v, middle + turn * (rest.col(v) - middle) - rest.col(v));
+  return moved;
 }
+
+/// The boundary of the grid held, a core of four vertices turned by 180° about the middle.
+inline Problem swirl() { return held_grid(turned({30, 32, 48, 50}, 180)); }
 
 /// Handles that trade places, two scenes in three with the boundary held: few come home by
 /// approaching alone.

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -23,11 +22,7 @@ const Vec2 kMiddle(0.35, 0.35);
 
 /// Four vertices about the middle of the grid turned by so many degrees; the boundary held or free.
 Problem turned_core(double degrees, bool is_held) {
-  const Points rest = test::grid_problem({}).mesh.rest();
-  const Eigen::Rotation2Dd turn(degrees * std::numbers::pi / 180);
-  std::vector<std::pair<int, Vec2>> moved;
-  for (const int v : {30, 32, 48, 50})
-    moved.emplace_back(v, kMiddle + turn * (rest.col(v) - kMiddle) - rest.col(v));
+  const auto moved = test::turned({30, 32, 48, 50}, degrees);
   return is_held ? test::held_grid(moved) : test::grid_problem(moved);
 }
 
