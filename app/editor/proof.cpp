@@ -47,7 +47,7 @@ Proof proof_of(const Snapshot& pose) {
 
 std::string fold_words(const Proof& proof) {
   if (proof.holds()) return {};
-  const std::string overlaps =
+  std::string overlaps =
       counted(proof.overlapping_boundary_vertices, "boundary vertex overlaps itself",
               "boundary vertices overlap themselves");
   if (!proof.folds()) return overlaps;

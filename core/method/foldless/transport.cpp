@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/transport.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "core/energy/densities.h"
 #include "core/method/foldless/flipping_descent.h"
 #include "core/method/foldless/settle.h"
+#include "core/method/foldless/strides.h"
 
 namespace foldless {
 namespace transporting {
@@ -16,17 +16,13 @@ constexpr double kAlpha = 1e4;
 constexpr double kLastAlpha = 1e9;
 constexpr double kAlphaFactor = 20;
 constexpr int kMostStepsOfAStride = 8;
-/// A handle has made its stride when less than this part of it is left.
-constexpr double kArrived = 0.3;
-/// Edges are split ahead of a handle that is farther off than this part of a stride.
-constexpr double kSplitFrom = 0.15;
 /// A stride has ended when no vertex moves by more than this part of it.
 constexpr double kSmallStep = 1e-3;
-/// A stride gains when the handles come nearer to its end by this part.
-constexpr double kGain = 0.3;
-constexpr int kMostStridesWithoutGain = 6;
 /// ‖P‖²/D² from which the handles may be put on their targets by themselves.
 constexpr double kNearEnough = 1e-4;
+
+/// At the ends of the paths, under the largest penalty, what is in the way is split so often.
+constexpr int kMostSplitsAtHome = 6;
 
 constexpr int kMostRounds = 8;
 /// A round that leaves more than this part of ‖P‖² was the last.
@@ -44,75 +40,6 @@ EnergySettings rounding_energy(const EnergySettings& scene) {
   settings.reference = Reference::equilateral;
   return settings;
 }
-
-/// Where the handles of a plan are to be at the end of a stride.
-class Strides {
- public:
-  Strides(const Workspace& work, const TransportPlan& plan)
-      : work_(work),
-        stride_(plan.stride * work.settings->diagonal),
-        paths_(plan.path, work.handles(), work.constraints.targets),
-        lambda_(static_cast<std::size_t>(work.constraints.count()), 0),
-        aims_(work.handles()) {}
-
-  /// The aim of all handles, 2 × #handles.
-  const Points& aims() const { return aims_; }
-  double stride() const { return stride_; }
-
-  // Handles on straight paths go on by themselves; those that turn keep step, so that what lies
-  // between them turns like a rigid body.
-  void begin(const std::vector<int>& group) {
-    const bool keep_step = paths_.kind() == PathKind::turning;
-    const bool have_all_arrived = have_arrived(group);
-    double longest = 0;
-    for (const int i : group) longest = std::max(longest, paths_.length(i));
-    for (const int i : group) {
-      double& lambda = lambda_[static_cast<std::size_t>(i)];
-      const double length = keep_step ? longest : paths_.length(i);
-      if (length == 0) lambda = 1;
-      if (lambda < 1 && (keep_step ? have_all_arrived : has_arrived(i)))
-        lambda = std::min(1.0, lambda + stride_ / length);
-      aims_.col(i) = paths_.at(i, lambda);
-    }
-  }
-
-  bool have_arrived(const std::vector<int>& group) const {
-    return std::ranges::all_of(group, [this](int i) { return has_arrived(i); });
-  }
-  /// At the ends of their paths.
-  bool are_home(const std::vector<int>& group) const {
-    return std::ranges::all_of(group, [this](int i) {
-      return lambda_[static_cast<std::size_t>(i)] >= 1 && has_arrived(i);
-    });
-  }
-  /// Σ of the distances to go.
-  double distance(const std::vector<int>& group) const {
-    double sum = 0;
-    for (const int i : group) sum += to_aim(i).norm();
-    return sum;
-  }
-  /// Of the handles that are well behind.
-  std::vector<MovingDirection> directions(const std::vector<int>& group) const {
-    std::vector<MovingDirection> directions;
-    for (const int i : group)
-      if (to_aim(i).norm() > kSplitFrom * stride_)
-        directions.push_back({work_.constraints.vertices[static_cast<std::size_t>(i)], to_aim(i)});
-    return directions;
-  }
-
- private:
-  bool has_arrived(int i) const { return to_aim(i).norm() < kArrived * stride_; }
-  Vec2 to_aim(int i) const {
-    const int v = work_.constraints.vertices[static_cast<std::size_t>(i)];
-    return aims_.col(i) - work_.mesh.deformed().col(v);
-  }
-
-  const Workspace& work_;
-  double stride_;  ///< [length]
-  HandlePaths paths_;
-  std::vector<double> lambda_;  ///< by handle: where on its path the stride ends
-  Points aims_;
-};
 
 /// What carries handles on: goes from stride to stride.
 struct Carrier {
@@ -140,16 +67,14 @@ Steps<> make_stride(Carrier& carrier, const std::vector<int>& group) {
 /// Carries one group of handles to the ends of their paths; false when it locks.
 Steps<bool> carry_group(Carrier& carrier, const std::vector<int>& group) {
   auto& [work, strides, energy, descent] = carrier;
-  for (int strides_without_gain = 0;;) {
+  Patience patience;
+  while (true) {
     strides.begin(group);
     const double before = strides.distance(group);
     co_await make_stride(carrier, group);
     if (strides.are_home(group)) co_return true;
-    if (strides.distance(group) <= (1 - kGain) * before) {
-      strides_without_gain = 0;
-      continue;
-    }
-    if (++strides_without_gain > kMostStridesWithoutGain) co_return false;
+    if (patience.gains(before, strides.distance(group))) continue;
+    if (patience.has_run_out()) co_return false;
     work.split_edges(strides.directions(group));
   }
 }
@@ -168,7 +93,7 @@ Steps<Progress> press_home(Carrier& carrier, const std::vector<int>& group) {
     if (alpha < kLastAlpha) {
       alpha *= kAlphaFactor;
     } else {
-      if (++tries > kMostStridesWithoutGain) co_return Progress::locked;
+      if (++tries > kMostSplitsAtHome) co_return Progress::locked;
       work.split_edges(strides.directions(group));
     }
     co_await make_stride(carrier, group);
