@@ -21,6 +21,9 @@ function(foldless_options target)
     endif()
     target_compile_options(${target} PUBLIC -fsanitize=${FOLDLESS_SANITIZE} -fno-omit-frame-pointer
                            -fno-sanitize-recover=all)
+    # What the address sanitizer sees where it matters; it would take a quarter of the build.
+    target_compile_options(${target} PRIVATE
+                           -fno-sanitize=null,alignment,object-size,pointer-overflow)
     target_link_options(${target} PUBLIC -fsanitize=${FOLDLESS_SANITIZE})
   endif()
 endfunction()
