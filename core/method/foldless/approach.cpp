@@ -27,9 +27,6 @@ constexpr int kMostStepsOfALeg = 8;
 constexpr double kSmallDecrementOfALeg = 0.05;
 constexpr double kNearStop = 1e-2;
 
-/// ‖P‖²/D² from which the handles may be put on their targets by themselves.
-constexpr double kNearEnough = 1e-4;
-
 constexpr int kMostMultiplierSteps = 8;
 constexpr double kMultipliersBelow = 1e-5;  ///< ‖P‖²/D²
 
@@ -109,7 +106,7 @@ Steps<Progress> approach(Workspace& work, FactorUse use, std::vector<Points> sto
   const auto next = [&](const std::stop_token& token) { return descent.step(work, energy, token); };
   while (true) {
     const VertexUpdate update = co_await vertex_update(next);
-    const bool has_arrived = work.error() <= kNearEnough * D * D && work.snap(energy.settings);
+    const bool has_arrived = work.is_near() && work.snap(energy.settings);
     co_yield work.record(update, energy, Phase::approach);
     if (has_arrived) co_return Progress::arrived;
 

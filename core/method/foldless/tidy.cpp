@@ -20,37 +20,36 @@ constexpr double kRiseOfARound = 1e-2;
 /// A mesh that was refined has more vertices than anybody asked for, and a lower E for it: while
 /// more than this part of the original ones was added,
 constexpr double kCrowded = 0.1;
-/// they go for more of it.
-constexpr int kMostCrowdedRounds = 10;
-constexpr double kRiseOfACrowdedVertex = 0.1;
-/// and with a triangle that is crushed by no more than this; settling mends most of them.
-constexpr double kLargestDistortionWhenCrowded = 10 * kCrushed;
+/// the first three bounds are so many times as large, for settling mends most of what that spoils,
+constexpr int kLeewayWhenCrowded = 10;
+/// and what a round gives back may raise E Kᵉ by as much as it was.
 constexpr double kRiseOfACrowdedRound = 1;
 constexpr double kLargeExponent = 0.2;
 
-bool is_crowded(const Workspace& work) {
-  return work.mesh.vertex_count() > (1 + kCrowded) * work.settings->first_removable;
+/// By which factor the bounds are larger for this mesh.
+int leeway_of(const Workspace& work) {
+  const bool is_crowded =
+      work.mesh.vertex_count() > (1 + kCrowded) * work.settings->first_removable;
+  return is_crowded ? kLeewayWhenCrowded : 1;
 }
 
 /// True when vertices went.
-bool collapse(Workspace& work, bool is_crowded) {
-  const double rise = is_crowded ? kRiseOfACrowdedVertex : kRiseOfAVertex;
-  return work.collapse_edges(
-             {.energy = work.settings->energy,
-              .first_removable = work.settings->first_removable,
-              .largest_rise = rise * settled_energy(work),
-              .largest_distortion = is_crowded ? kLargestDistortionWhenCrowded : kCrushed}) > 0;
+bool collapse(Workspace& work, int leeway) {
+  return work.collapse_edges({.energy = work.settings->energy,
+                              .first_removable = work.settings->first_removable,
+                              .largest_rise = leeway * kRiseOfAVertex * settled_energy(work),
+                              .largest_distortion = leeway * kCrushed}) > 0;
 }
 
 Steps<> collapse_in_rounds(Workspace& work) {
   for (int round = 0; work.settings->first_removable < work.mesh.vertex_count(); ++round) {
-    const bool crowded = is_crowded(work);
-    if (round >= (crowded ? kMostCrowdedRounds : kMostRounds)) co_return;
+    const int leeway = leeway_of(work);
+    if (round >= leeway * kMostRounds) co_return;
     MeshPair before = work.mesh;
     const double merit_before = merit_of(work);
-    if (!collapse(work, crowded)) co_return;
+    if (!collapse(work, leeway)) co_return;
     co_await settle(work);
-    const double rise = crowded ? kRiseOfACrowdedRound : kRiseOfARound;
+    const double rise = leeway > 1 ? kRiseOfACrowdedRound : kRiseOfARound;
     if (!(merit_of(work) <= (1 + rise) * merit_before)) {
       work.set_mesh(std::move(before));
       co_yield [&](Iteration& last) { work.measure_again(last, work.held_energy()); };

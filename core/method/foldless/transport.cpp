@@ -18,8 +18,6 @@ constexpr double kAlphaFactor = 20;
 constexpr int kMostStepsOfAStride = 8;
 /// A stride has ended when no vertex moves by more than this part of it.
 constexpr double kSmallStep = 1e-3;
-/// ‖P‖²/D² from which the handles may be put on their targets by themselves.
-constexpr double kNearEnough = 1e-4;
 
 /// At the ends of the paths, under the largest penalty, what is in the way is split so often.
 constexpr int kMostSplitsAtHome = 6;
@@ -83,10 +81,9 @@ Steps<bool> carry_group(Carrier& carrier, const std::vector<int>& group) {
 /// grows; then splits what is in the way.
 Steps<Progress> press_home(Carrier& carrier, const std::vector<int>& group) {
   auto& [work, strides, energy, descent] = carrier;
-  const double D = work.settings->diagonal;
   double& alpha = energy.settings.alpha;
   for (int tries = 0;;) {
-    if (work.error() <= kNearEnough * D * D && work.snap(energy.settings)) {
+    if (work.is_near() && work.snap(energy.settings)) {
       co_yield [&carrier](Iteration& last) { carrier.work.measure_again(last, carrier.energy); };
       co_return Progress::arrived;
     }

@@ -13,6 +13,8 @@ namespace workspace {
 constexpr double kShortestHalf = 1e-5;
 /// E_d + E_b may grow by this factor when handles are put on their targets.
 constexpr double kGrowthOfASnap = 1.5;
+/// ‖P‖²/D² from which they may be.
+constexpr double kNearEnough = 1e-4;
 
 SplitSettings split_settings(const RunSettings& settings) {
   return {.shortest_edge = kShortestHalf * settings.diagonal,
@@ -65,6 +67,11 @@ int Workspace::collapse_edges(const CollapseSettings& collapse) {
 void Workspace::set_mesh(MeshPair other) {
   mesh = std::move(other);
   system.rebuild(mesh, constraints, mesh.edge_count());
+}
+
+bool Workspace::is_near() const {
+  const double D = settings->diagonal;
+  return error() <= workspace::kNearEnough * D * D;
 }
 
 bool Workspace::snap(const EnergySettings& energy) {

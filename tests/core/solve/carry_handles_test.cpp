@@ -79,7 +79,7 @@ TEST(CarryHandles, NoTriangleEndsBeyondItsLeastAreaHoweverOftenHandlesPressAgain
     std::uniform_real_distribution<double> unit(-2, 2);
     Carried c("arap", 2, {0, 0});
     const double delta = c.energy.settings.delta;
-    const Vec2 far_away(1000, 700);  // where positions are rounded more coarsely than areas
+    const Vec2 far_away(1e5, 7e4);  // where positions are rounded more coarsely than areas
     const Points rest = c.mesh.rest().colwise() + far_away;
     c.mesh.set_positions(rest, rest);
     c.energy.constraints.targets.colwise() += far_away;
