@@ -21,12 +21,12 @@ constexpr double kNoPiece = 100;
 constexpr double kSliver = 1e6;
 /// 4√3 area over the sum of the squared sides, 1 for an equilateral triangle, below which a
 /// triangle is one.
-constexpr double kLeastRoundness = 1e-6;
+constexpr double kLeastRoundness = 1e-3;
 
-bool is_sliver(const Points& polygon, int i, int j, int k) {
+double cost_of_shape(const Points& polygon, int i, int j, int k) {
   const Vec2 a = polygon.col(i), b = polygon.col(j), c = polygon.col(k);
   const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-  return 4 * std::sqrt(3.0) * signed_area(a, b, c) < kLeastRoundness * sides;
+  return 4 * std::sqrt(3.0) * signed_area(a, b, c) < kLeastRoundness * sides ? kSliver : 0;
 }
 
 double diagonal_of(const Points& points) {
@@ -50,7 +50,9 @@ class PolygonPair {
   std::optional<Triangles> deformed_triangles() const {
     return triangulate_by_chords(corners(), [this](int i, int j, int k) {
       if (!deformed_order_.is_piece(i, j, k)) return kNever;
-      return length(i, k) + (rest_order_.is_piece(i, j, k) ? 0 : kNoPiece) + slivers(i, j, k);
+      const double at_rest =
+          rest_order_.is_piece(i, j, k) ? cost_of_shape(rest_, i, j, k) : kNoPiece;
+      return length(i, k) + cost_of_shape(deformed_, i, j, k) + at_rest;
     });
   }
   /// The fewest crossings with the chords of the deformed polygon, then the shortest chords.
@@ -61,14 +63,16 @@ class PolygonPair {
       for (int i = 0; i < k; ++i)
         cost(i, k) = length(i, k) + kNoPiece * crossings_of({i, k}, chords);
     return triangulate_by_chords(corners(), [&](int i, int j, int k) {
-      return rest_order_.is_piece(i, j, k) ? cost(i, k) + slivers(i, j, k) : kNever;
+      return rest_order_.is_piece(i, j, k) ? cost(i, k) + cost_of_shape(rest_, i, j, k) : kNever;
     });
   }
   /// Triangles that serve both, or nothing.
   std::optional<Triangles> common_triangles() const {
     return triangulate_by_chords(corners(), [this](int i, int j, int k) {
       const bool serves = rest_order_.is_piece(i, j, k) && deformed_order_.is_piece(i, j, k);
-      return serves ? length(i, k) + slivers(i, j, k) : kNever;
+      return serves
+                 ? length(i, k) + cost_of_shape(rest_, i, j, k) + cost_of_shape(deformed_, i, j, k)
+                 : kNever;
     });
   }
 
@@ -77,11 +81,6 @@ class PolygonPair {
   double length(int i, int k) const {
     return rest_unit_ * (rest_.col(i) - rest_.col(k)).norm() +
            deformed_unit_ * (deformed_.col(i) - deformed_.col(k)).norm();
-  }
-
-  /// In either.
-  double slivers(int i, int j, int k) const {
-    return kSliver * (is_sliver(rest_, i, j, k) + is_sliver(deformed_, i, j, k));
   }
 
   const Points &rest_, &deformed_;

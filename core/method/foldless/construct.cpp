@@ -5,11 +5,17 @@
 #include <utility>
 
 #include "core/construct/held_disk.h"
+#include "core/energy/densities.h"
 #include "core/method/foldless/approach.h"
+#include "core/method/foldless/flipping_descent.h"
 #include "core/method/foldless/pursue.h"
 
 namespace foldless {
 namespace constructing {
+
+constexpr int kMostOpeningSteps = 50;
+/// The part of the energy that the model promises from which a map is open.
+constexpr double kSmallDecrement = 1e-2;
 
 std::vector<int> vertices_of(const std::vector<int>& handles, const Constraints& constraints) {
   std::vector<int> vertices;
@@ -45,6 +51,35 @@ std::optional<MeshPair> constructed(MeshPair mesh,
   return mesh;
 }
 
+/// Lowers the distortion of the triangles against their rest shapes both ways, which also opens
+/// those that the chords left too narrow for the scene's energy.
+EnergySettings opening_energy(const EnergySettings& scene) {
+  EnergySettings settings;
+  settings.density = find_density("symmetric-dirichlet");
+  settings.beta = 0;
+  settings.delta = 0;
+  settings.gap_weight = scene.gap_weight;
+  settings.barrier_area_weighted = true;
+  return settings;
+}
+
+/// Until it gains little, with the handles on the boundary held.
+Steps<> open_up(Workspace& work, const Energy& energy) {
+  FlippingDescent descent(FactorUse::lagged);
+  const auto next = [&](const std::stop_token& token) { return descent.step(work, energy, token); };
+  for (int step = 0; step < kMostOpeningSteps; ++step) {
+    const VertexUpdate update = co_await vertex_update(next);
+    co_yield work.record(update, energy, Phase::construct);
+    const double E = work.system.objective().value(energy, work.mesh.deformed()).total();
+    if (update.decrement <= kSmallDecrement * E) co_return;
+  }
+}
+
+bool is_feasible(const Workspace& work) {
+  const Points& u = work.mesh.deformed();
+  return work.system.objective().is_feasible(work.settings->energy, u, u);
+}
+
 }  // namespace constructing
 
 Steps<Progress> construct(Workspace& work, const MeshPair& start,
@@ -57,13 +92,14 @@ Steps<Progress> construct(Workspace& work, const MeshPair& start,
     std::optional<MeshPair> mesh = constructed(start, disks, other.constraints);
     if (!mesh) return VertexUpdate{};
     other.set_mesh(*std::move(mesh));
-    const Points& u = other.mesh.deformed();
-    const bool is_feasible = other.system.objective().is_feasible(work.settings->energy, u, u);
-    return VertexUpdate{.step_length = is_feasible ? 1.0 : 0.0};
+    return VertexUpdate{.step_length = 1};
   };
   const VertexUpdate update = co_await vertex_update(build);
   if (update.step_length == 0) co_return Progress::locked;
-  co_yield other.record(update, other.held_energy(), Phase::construct);
+  const Energy opening{opening_energy(work.settings->energy), held(other.constraints)};
+  co_yield other.record(update, opening, Phase::construct);
+  co_await open_up(other, opening);
+  if (!is_feasible(other)) co_return Progress::locked;
   Progress progress = Progress::arrived;
   if (other.error() > 0) progress = co_await pursue(other);
   if (progress == Progress::locked) progress = co_await approach(other, FactorUse::lagged);
