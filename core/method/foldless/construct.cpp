@@ -9,6 +9,7 @@
 #include "core/method/foldless/approach.h"
 #include "core/method/foldless/flipping_descent.h"
 #include "core/method/foldless/pursue.h"
+#include "core/method/foldless/tidy.h"
 
 namespace foldless {
 namespace constructing {
@@ -16,6 +17,9 @@ namespace constructing {
 constexpr int kMostOpeningSteps = 50;
 /// The part of the energy that the model promises from which a map is open.
 constexpr double kSmallDecrement = 1e-2;
+/// A mesh of at most so many triangles is refined where one is crushed: those with three held
+/// corners keep their shape whatever moves.
+constexpr int kLargestRefined = 2000;
 
 std::vector<int> vertices_of(const std::vector<int>& handles, const Constraints& constraints) {
   std::vector<int> vertices;
@@ -99,6 +103,10 @@ Steps<Progress> construct(Workspace& work, const MeshPair& start,
   const Energy opening{opening_energy(work.settings->energy), held(other.constraints)};
   co_yield other.record(update, opening, Phase::construct);
   co_await open_up(other, opening);
+  if (is_crushed(other.mesh) && other.mesh.face_count() <= kLargestRefined) {
+    other.refine();
+    co_await open_up(other, opening);
+  }
   if (!is_feasible(other)) co_return Progress::locked;
   Progress progress = Progress::arrived;
   if (other.error() > 0) progress = co_await pursue(other);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/construct/held_disk.h"
+#include "core/mesh/quality.h"
+#include "core/method/foldless/tidy.h"
 #include "core/method/satisfied.h"
 #include "tests/core/method/foldless/foldless_scenes.h"
 #include "tests/core/method/foldless/held_disks.h"
@@ -35,6 +38,54 @@ TEST(Construct, ArrivesAtAnyPolygonThatBoundsADiskFromWhereverTheMeshIs) {
     EXPECT_TRUE(test::is_valid(own.work.mesh));
     EXPECT_EQ(own.work.handles(), own.work.constraints.targets);
   }
+}
+
+double least_area_ratio(const MeshPair& mesh) {
+  return quality_of(mesh.triangles(), mesh.rest(), mesh.deformed()).min_area_ratio;
+}
+
+/// The mesh that the stage begins with.
+MeshPair mesh_before_opening(const Problem& problem) {
+  const Constraints constraints = constraints_of(problem.handles);
+  const PrescribedRegion region = prescribed_regions(problem.mesh, constraints).front();
+  std::vector<int> loop;
+  for (const int handle : region.loops.front())
+    loop.push_back(constraints.vertices[static_cast<std::size_t>(handle)]);
+  return *with_held_disk(problem.mesh, loop, constraints.targets(Eigen::all, region.loops.front()));
+}
+
+TEST(Construct, OpensTrianglesThatTheSceneForbidsAndLeavesTheMeshAsItWasWhereItCannot) {
+  constexpr double kForbidden = 0.03;
+  int opened = 0, left = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Problem problem = test::disk_to_glued_polygon(seed);
+    const bool is_allowed = least_area_ratio(mesh_before_opening(problem)) > kForbidden;
+    OwnWorkspace own = held_disk_workspace(problem);
+    own.settings.energy.delta = kForbidden;
+    const Progress progress = construct_in(own, problem);
+    if (progress == Progress::arrived)
+      EXPECT_GT(least_area_ratio(own.work.mesh), kForbidden);
+    else
+      EXPECT_EQ(own.work.mesh.revision(), problem.mesh.revision());
+    if (!is_allowed) (progress == Progress::arrived ? opened : left) += 1;
+  }
+  std::cerr << opened << " " << left;
+  EXPECT_GT(opened, 3) << "the claim would be empty";
+  EXPECT_GT(left, 5) << "the claim would be empty";
+}
+
+TEST(Construct, RefinesCrushedTrianglesThatHaveHeldCornersAlone) {
+  int mended = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Problem problem = test::disk_to_glued_polygon(seed);
+    for (Handle& handle : problem.handles) handle.target.y() *= 0.02;
+    if (!is_crushed(mesh_before_opening(problem))) continue;
+    OwnWorkspace own = held_disk_workspace(problem);
+    if (construct_in(own, problem) == Progress::arrived && !is_crushed(own.work.mesh)) ++mended;
+  }
+  EXPECT_GT(mended, 3);
 }
 
 TEST(Construct, CarriesHandlesInsideOrLeavesTheMeshAsItWas) {
