@@ -60,6 +60,7 @@ std::optional<MeshPair> constructed(MeshPair mesh,
 EnergySettings opening_energy(const EnergySettings& scene) {
   EnergySettings settings;
   settings.density = find_density("symmetric-dirichlet");
+  settings.alpha = scene.alpha;
   settings.beta = 0;
   settings.delta = 0;
   settings.gap_weight = scene.gap_weight;
@@ -95,6 +96,7 @@ Steps<Progress> construct(Workspace& work, const MeshPair& start,
   const auto build = [&](const std::stop_token&) {
     std::optional<MeshPair> mesh = constructed(start, disks, other.constraints);
     if (!mesh) return VertexUpdate{};
+    other.system.effort().splits += mesh->vertex_count() - start.vertex_count();
     other.set_mesh(*std::move(mesh));
     return VertexUpdate{.step_length = 1};
   };
