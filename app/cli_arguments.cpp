@@ -109,15 +109,16 @@ CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
   bench->add_option("SCENE", call.scenes, "scene files, where no suite is named");
   bench
       ->add_option("--suite", call.suite,
-                   "random: scenes drawn from a seed; paper: Table 1 and Figure 13; scale: meshes "
-                   "of two thousand to a million triangles; drag: how targets that move frame by "
-                   "frame are followed")
+                   "random: scenes drawn from a seed; hard: 216 that are hard to reach, likewise; "
+                   "paper: Table 1 and Figure 13; scale: meshes of two thousand to a million "
+                   "triangles; drag: how targets that move frame by frame are followed")
       ->type_name("NAME");
   bench
       ->add_option("--method", texts.methods,
                    "comma-separated, all when absent: " + names_of(methods()))
       ->type_name("LIST");
-  bench->add_option("--seed", call.seed, "of the random suite, 1 when absent")->type_name("S");
+  bench->add_option("--seed", call.seed, "of the random and the hard suite, 1 when absent")
+      ->type_name("S");
   bench->add_option("--count", call.count, "scenes of the random suite, 60 when absent")
       ->type_name("N");
   bench->add_option("--only", texts.only, "comma-separated indices of scenes, from 0")

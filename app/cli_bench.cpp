@@ -12,6 +12,7 @@
 #include "app/bench/bench_report.h"
 #include "app/bench/drag_suite.h"
 #include "app/bench/drag_table.h"
+#include "app/bench/hard_suite.h"
 #include "app/bench/paper_suite.h"
 #include "app/bench/random_suite.h"
 #include "app/bench/scale_suite.h"
@@ -163,8 +164,10 @@ void print_notes(const Rows& rows) {
 void run_comparison(const BenchCall& call, const Interrupt& interrupt) {
   const auto from_file = [&](int i) { return scene_of(call.scenes[static_cast<std::size_t>(i)]); };
   const auto drawn = [&](int i) { return random_scene(call.seed, i); };
+  const auto hard = [&](int i) { return hard_scene(call.seed, i); };
   const std::vector<BenchScene> scenes =
       call.suite == "random" ? wanted(call, static_cast<std::size_t>(call.count), drawn)
+      : call.suite == "hard" ? wanted(call, kHardScenes, hard)
                              : wanted(call, call.scenes.size(), from_file);
   const Rows rows = run_scenes(call, scenes, interrupt);
   print_comparison(rows);

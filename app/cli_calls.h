@@ -63,10 +63,10 @@ struct CheckCall {
 
 /// `foldless bench [SCENE...]`
 struct BenchCall {
-  std::string suite;  ///< `random`, `paper`, `scale` or `drag`; empty: `scenes`
+  std::string suite;  ///< `random`, `hard`, `paper`, `scale` or `drag`; empty: `scenes`
   std::vector<std::filesystem::path> scenes;  ///< scene files
   std::vector<std::string> methods;           ///< empty: all
-  std::uint64_t seed = 1;                     ///< of the random suite
+  std::uint64_t seed = 1;                     ///< of the random and the hard suite
   int count = 60;                             ///< scenes of the random suite
   std::vector<int> only;                      ///< indices of scenes, from 0; empty: all
   BenchOptions options;

@@ -2,6 +2,7 @@
 #include "app/cli_option_texts.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <sstream>
 #include <vector>
@@ -122,12 +123,12 @@ void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
 }
 
 void read_bench(const Texts& texts, BenchCall& call) {
-  if (!call.suite.empty() && call.suite != "random" && call.suite != "paper" &&
-      call.suite != "scale" && call.suite != "drag")
+  constexpr std::array<std::string_view, 6> kSuites{"", "random", "hard", "paper", "scale", "drag"};
+  if (std::ranges::find(kSuites, call.suite) == kSuites.end())
     throw Error("--suite " + in_quotes(call.suite) +
-                " is unknown; choose random, paper, scale or drag");
+                " is unknown; choose random, hard, paper, scale or drag");
   if (call.suite.empty() == call.scenes.empty())
-    throw Error("bench takes either scene files or --suite random|paper|scale|drag");
+    throw Error("bench takes either scene files or --suite random|hard|paper|scale|drag");
   for (const std::string& name : items_of(texts.methods))
     if (!name.empty()) {
       expect_name("--method", name, methods());

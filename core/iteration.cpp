@@ -23,6 +23,7 @@ std::string_view name_of(Phase phase) {
     case Phase::approach: return "approach";
     case Phase::transport: return "transport";
     case Phase::pursue: return "pursue";
+    case Phase::construct: return "construct";
     case Phase::settle: return "settle";
     case Phase::coarse: return "coarse";
   }

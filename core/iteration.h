@@ -12,6 +12,7 @@ enum class Phase {
   approach,   ///< `foldless`: towards the targets under a growing penalty
   transport,  ///< `foldless`: handles carried along paths, the map's distortion forgotten
   pursue,     ///< `foldless`: handles carried to their targets, the mesh following
+  construct,  ///< `foldless`: a map onto a held boundary, whatever it was before
   settle,     ///< `foldless`: at the targets, down to the minimum of the scene's energy
   coarse      ///< `foldless`: one of these on a coarser mesh, from which the mesh will begin
 };

@@ -51,7 +51,7 @@ function(only_in files token what)
 endfunction()
 
 # 1 and 2. What core may see, a layer at a time: mesh <- files; linear <- cone; {mesh, linear} <-
-# energy <- {solve, remesh <- multires, scene} <- method <- run.
+# energy <- {solve, remesh <- multires <- construct, scene} <- method <- run.
 set(BASE "${PLAIN}|${CORE}|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
 set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
 set(FILES "${MESH}|core/files/.*")
@@ -59,7 +59,7 @@ set(LINEAR "${BASE}|core/linear/.*")
 set(ENERGY "${MESH}|core/linear/sparse_symmetric\\.h|core/energy/.*")
 set(REMESH "${ENERGY}|core/remesh/.*")
 set(SCENE "${ENERGY}|core/files/.*|core/scene/.*")
-set(METHOD "${REMESH}|core/(solve|multires|cone|method)/.*|core/scene/parameters\\.h")
+set(METHOD "${REMESH}|core/(solve|multires|construct|cone|method)/.*|core/scene/parameters\\.h")
 may_include("core/mesh/.*" "${MESH}|<CGAL/.*>")
 may_include("core/files/.*" "${FILES}|<CGAL/.*>")
 may_include("core/linear/.*" "${LINEAR}|<(suitesparse/)?cholmod\\.h>")
@@ -68,6 +68,7 @@ may_include("core/energy/.*" "${ENERGY}")
 may_include("core/solve/.*" "${ENERGY}|core/(linear|solve)/.*")
 may_include("core/remesh/.*" "${REMESH}")
 may_include("core/multires/.*" "${REMESH}|core/multires/.*")
+may_include("core/construct/.*" "${MESH}|core/(multires|construct)/.*|<CGAL/.*>")
 may_include("core/scene/.*" "${SCENE}")
 may_include("core/outline/.*" "${MESH}|core/outline/.*|${IMAGE_CODECS}|<CGAL/.*>")
 may_include("core/method/.*" "${METHOD}|core/files/text_lines\\.h")
@@ -91,8 +92,8 @@ only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui b
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
 only_in("core/linear/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
         "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")
-only_in("core/(mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp" "<CGAL/"
-        "CGAL belongs to four files")
+only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
+        "<CGAL/" "CGAL belongs to five files")
 only_in("app/cli_[a-z_]+\\.cpp" "<CLI/" "CLI11 belongs to the command line")
 set(cli11_files "")
 foreach(file IN LISTS SOURCES)

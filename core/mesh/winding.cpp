@@ -41,6 +41,11 @@ int turning_number(const Points& polygon) {
   return turns;
 }
 
+// On a line the halves of both directions tell whether they are the same.
+bool goes_straight_back(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return orientation(a, b, c) == 0 && points_up(b, a) == points_up(b, c);
+}
+
 // Edges that meet a ray to the right count, those that go up as 1 and those that go down as −1. A
 // start a little above or below p, but much less than it is to one side, meets no corner and lies
 // on no edge; an edge through p is to the right of the starts on the left.

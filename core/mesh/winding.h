@@ -12,6 +12,9 @@ namespace foldless {
 /// Corners are columns, the last is joined to the first, and neighbours differ. Exact.
 int turning_number(const Points& polygon);
 
+/// Whether a way from a over b to c goes straight back at b, however far. Neighbours differ. Exact.
+bool goes_straight_back(const Vec2& a, const Vec2& b, const Vec2& c);
+
 /// The least winding number of closed polygons together round the points beside p: arbitrarily
 /// near to it, right and left, a little above and a little below. Off the polygons that is their
 /// winding number round p. Exact. O(corners).

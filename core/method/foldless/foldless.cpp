@@ -9,6 +9,7 @@
 #include "core/method/foldless/approach.h"
 #include "core/method/foldless/candidates.h"
 #include "core/method/foldless/common_motion.h"
+#include "core/method/foldless/construct.h"
 #include "core/method/foldless/infeasible.h"
 #include "core/method/foldless/legs.h"
 #include "core/method/foldless/pursue.h"
@@ -119,6 +120,7 @@ Steps<Outcome> Foldless::solve(Start start) {
   if (progress == Progress::locked)
     progress = co_await split_and_approach(is_drag ? FactorUse::lagged : FactorUse::own);
 
+  if (progress == Progress::locked) progress = co_await construct(work_, problem_.mesh, regions_);
   OtherWays ways(problem_.mesh, is_drag || !was_pursuit_locked);
   while (progress == Progress::locked && !ways.have_ended())
     progress = co_await ways.try_next(work_);

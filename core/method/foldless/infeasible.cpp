@@ -5,6 +5,8 @@
 #include <span>
 #include <tuple>
 
+#include "core/construct/compatible_triangulation.h"
+#include "core/construct/held_disk.h"
 #include "core/mesh/winding.h"
 
 namespace foldless {
@@ -27,8 +29,9 @@ class Prescribed {
 
   std::optional<std::string> why_infeasible() const {
     for (const auto criterion :
-         {&Prescribed::edge_of_no_length, &Prescribed::negative_area, &Prescribed::too_few_turns,
-          &Prescribed::crowded_target, &Prescribed::negative_winding})
+         {&Prescribed::edge_of_no_length, &Prescribed::closed_gap, &Prescribed::negative_area,
+          &Prescribed::wrong_turns, &Prescribed::crowded_target, &Prescribed::negative_winding,
+          &Prescribed::no_disk})
       if (std::optional<std::string> why = (this->*criterion)()) return "infeasible: " + *why;
     return std::nullopt;
   }
@@ -44,19 +47,38 @@ class Prescribed {
     return std::nullopt;
   }
 
+  // The angle there is a multiple of 2π.
+  std::optional<std::string> closed_gap() const {
+    for (const std::vector<int>& loop : region_.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const int v = loop[(i + 1) % loop.size()];
+        if (goes_straight_back(target(loop[i]), target(v), target(loop[(i + 2) % loop.size()])))
+          return the_boundary() + " is to go straight back at " + names({v});
+      }
+    return std::nullopt;
+  }
+
   std::optional<std::string> negative_area() const {
     if (!is_area_negative(polygons_)) return std::nullopt;
     return the_boundary() + " is to go the wrong way round";
   }
 
   // Gauss–Bonnet: 2π χ is the sum over the boundary of π minus the angle of the map, which is that
-  // of P or more by full turns. A corner of P that goes straight back has at least 2π.
-  std::optional<std::string> too_few_turns() const {
+  // of P, for both are more than nothing and less than 2π.
+  std::optional<std::string> wrong_turns() const {
     int turns = 0;
     for (const Points& polygon : polygons_) turns += turning_number(polygon);
-    if (turns >= region_.euler_characteristic) return std::nullopt;
-    return the_boundary() + " is to turn " + times(turns) + ", and " +
-           times(region_.euler_characteristic) + " is the least";
+    if (turns == region_.euler_characteristic) return std::nullopt;
+    return the_boundary() + " is to turn " + times(turns) + ", and must turn " +
+           times(region_.euler_characteristic);
+  }
+
+  std::optional<std::string> no_disk() const {
+    const bool is_disk = region_.euler_characteristic == 1 && polygons_.size() == 1;
+    if (!is_disk || corners_.size() > static_cast<std::size_t>(kMostCornersOfADisk) ||
+        bounds_disk(polygons_.front()))
+      return std::nullopt;
+    return the_boundary() + " is to cross itself so that it bounds no disk";
   }
 
   // Each of the vertices takes a neighbourhood of its own to one of the target.

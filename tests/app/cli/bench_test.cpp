@@ -52,6 +52,15 @@ TEST(Bench, AKeptSceneIsSolvedTheSameWay) {
               1e-9 * std::abs(row["E_d"].get<double>()));
 }
 
+TEST(Bench, TellsWhichKindsOfHardScenesAreReached) {
+  const TemporaryFolder folder;
+  const Ended ended = test::run(
+      {"bench", "--suite", "hard", "--only", "1,5", "--method", "foldless", "-o", folder / "out"});
+  EXPECT_EQ(ended.status, 0);
+  for (const char* words : {"comb       1/1", "strip      1/1"})
+    EXPECT_NE(ended.out.find(words), std::string::npos) << ended.out;
+}
+
 TEST(Bench, FollowsDragsFrameByFrame) {
   const TemporaryFolder folder;
   const Ended ended = test::run({"bench", "--suite", "drag", "--only", "0", "--method",

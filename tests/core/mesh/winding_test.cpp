@@ -40,6 +40,17 @@ TEST(TurningNumber, CountsACornerThatGoesStraightBackAsHalfATurnToTheRight) {
       << "a slit: its end has the angle 2π";
 }
 
+TEST(GoesStraightBack, OnlyOnTheSameSideOfALine) {
+  const Vec2 a(0.1, 0.3), b(1.1, 2.3);
+  EXPECT_TRUE(goes_straight_back(a, b, a));
+  EXPECT_TRUE(goes_straight_back({0, 0}, {2, 4}, {1, 2}));
+  EXPECT_TRUE(goes_straight_back({0, 0}, {2, 4}, {-1, -2}));
+  EXPECT_TRUE(goes_straight_back({3, 1}, {1, 1}, {7, 1}));
+  EXPECT_FALSE(goes_straight_back({0, 0}, {2, 4}, {3, 6}));
+  EXPECT_FALSE(goes_straight_back({3, 1}, {1, 1}, {0, 1}));
+  EXPECT_FALSE(goes_straight_back({0, 0}, {2, 4}, {1, std::nextafter(2.0, 3)}));
+}
+
 TEST(TurningNumber, IsTheSumOfTheExteriorAngles) {
   const unsigned seed = 7;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
