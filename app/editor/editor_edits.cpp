@@ -106,6 +106,18 @@ void Editor::delete_selected() {
   commit(label);
 }
 
+void Editor::change_selected(const std::string& label, const std::function<void(Handle&)>& change) {
+  cancel_gesture();
+  Document document = document_;
+  for (Handle& handle : document.handles)
+    if (selection_.contains(handle.id)) change(handle);
+  if (document.handles == document_.handles) return;
+  begin_edit();
+  document_.handles = std::move(document.handles);
+  apply(document_, Change::appearance);
+  commit(label);
+}
+
 void Editor::reset_pose() {
   cancel_gesture();
   if (document_.is_empty()) return;
