@@ -11,7 +11,7 @@
 namespace foldless {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t place_in(int index) { return static_cast<std::size_t>(index); }
 
 /// Sets of pairs that grow together; every pair knows whether it is swapped against the first of
 /// its set.
@@ -29,16 +29,16 @@ class PairSets {
 
   Place find(int pair) {
     Place place{pair, false};
-    while (parent_[at(place.set)] != place.set) {
-      place.is_swapped = place.is_swapped != is_swapped_[at(place.set)];
-      place.set = parent_[at(place.set)];
+    while (parent_[place_in(place.set)] != place.set) {
+      place.is_swapped = place.is_swapped != is_swapped_[place_in(place.set)];
+      place.set = parent_[place_in(place.set)];
     }
     // The way is short from now on, for all on it.
-    for (Place next{pair, place.is_swapped}; parent_[at(next.set)] != next.set;) {
+    for (Place next{pair, place.is_swapped}; parent_[place_in(next.set)] != next.set;) {
       const Place here = next;
-      next = {parent_[at(here.set)], here.is_swapped != is_swapped_[at(here.set)]};
-      parent_[at(here.set)] = place.set;
-      is_swapped_[at(here.set)] = here.is_swapped;
+      next = {parent_[place_in(here.set)], here.is_swapped != is_swapped_[place_in(here.set)]};
+      parent_[place_in(here.set)] = place.set;
+      is_swapped_[place_in(here.set)] = here.is_swapped;
     }
     return place;
   }
@@ -47,15 +47,15 @@ class PairSets {
     const Place a = find(first), b = find(second);
     const bool is_swapped = (a.is_swapped != b.is_swapped) != are_swapped;
     if (a.set == b.set) {
-      if (is_swapped) is_one_sided_[at(a.set)] = true;
+      if (is_swapped) is_one_sided_[place_in(a.set)] = true;
       return;
     }
-    parent_[at(b.set)] = a.set;
-    is_swapped_[at(b.set)] = is_swapped;
-    if (is_one_sided_[at(b.set)]) is_one_sided_[at(a.set)] = true;
+    parent_[place_in(b.set)] = a.set;
+    is_swapped_[place_in(b.set)] = is_swapped;
+    if (is_one_sided_[place_in(b.set)]) is_one_sided_[place_in(a.set)] = true;
   }
 
-  bool is_one_sided(int set) const { return is_one_sided_[at(set)]; }
+  bool is_one_sided(int set) const { return is_one_sided_[place_in(set)]; }
 
  private:
   std::vector<int> parent_;
@@ -70,7 +70,7 @@ struct Side {
   bool stays_first = false;  ///< is `a` of the pair
 
   int goes(std::span<const Overlap> overlaps) const {
-    const Overlap& overlap = overlaps[at(pair)];
+    const Overlap& overlap = overlaps[place_in(pair)];
     return stays_first ? overlap.b : overlap.a;
   }
 };
@@ -79,8 +79,8 @@ std::vector<Side> sides_of(std::span<const Overlap> overlaps) {
   std::vector<Side> sides;
   sides.reserve(2 * overlaps.size());
   for (int i = 0; i < static_cast<int>(overlaps.size()); ++i) {
-    sides.push_back({overlaps[at(i)].a, i, true});
-    sides.push_back({overlaps[at(i)].b, i, false});
+    sides.push_back({overlaps[place_in(i)].a, i, true});
+    sides.push_back({overlaps[place_in(i)].b, i, false});
   }
   std::ranges::stable_sort(sides, {}, &Side::stays);
   return sides;
@@ -123,11 +123,11 @@ OverlapPieces overlap_pieces(const Triangles& triangles, std::span<const Overlap
   std::vector<int> number(overlaps.size(), -1);
   for (int pair = 0; pair < static_cast<int>(overlaps.size()); ++pair) {
     const PairSets::Place place = sets.find(pair);
-    if (number[at(place.set)] < 0) {
-      number[at(place.set)] = pieces.count++;
+    if (number[place_in(place.set)] < 0) {
+      number[place_in(place.set)] = pieces.count++;
       pieces.is_one_sided.push_back(sets.is_one_sided(place.set));
     }
-    pieces.piece.push_back(number[at(place.set)]);
+    pieces.piece.push_back(number[place_in(place.set)]);
     pieces.is_swapped.push_back(place.is_swapped);
   }
   return pieces;

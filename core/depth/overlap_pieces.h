@@ -19,7 +19,7 @@ struct OverlapPieces {
   int count = 0;
 };
 
-/// `overlaps` are sorted as overlapping_triangles() gives them.
+/// `overlaps` as OverlapSearch finds them.
 OverlapPieces overlap_pieces(const Triangles& triangles, std::span<const Overlap> overlaps);
 
 }  // namespace foldless

@@ -1,103 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/depth/overlaps.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <tuple>
+#include <unordered_set>
+#include <utility>
+
+#include "core/depth/box_grid.h"
 
 namespace foldless {
 namespace {
 
-using Boxes = std::vector<Eigen::AlignedBox2d>;
-
 /// Penetration this small, of the size of the triangles, is rounding.
 constexpr double kTouching = 1e-9;
-/// Cells in all, and cells that triangles lie in, for every triangle at most.
-constexpr double kMostCells = 8;
 
-/// A grid of square cells over the mesh; triangles are in all cells that their boxes touch.
-class Grid {
- public:
-  explicit Grid(const Boxes& boxes) : boxes_(boxes) {
-    Eigen::AlignedBox2d whole;
-    double extents = 0;
-    for (const auto& box : boxes) {
-      whole.extend(box);
-      extents += box.sizes().sum();
-    }
-    origin_ = whole.min();
-    const auto count = static_cast<double>(boxes.size());
-    cell_ = std::max({0.5 * extents / count, std::sqrt(whole.sizes().prod() / (kMostCells * count)),
-                      whole.sizes().maxCoeff() / (kMostCells * count)});
-    if (!(cell_ > 0)) cell_ = 1;
-    while (cells_of_boxes() > kMostCells * count) cell_ *= 2;
-    columns_ = column(whole.max().x()) + 1;
-    const std::int64_t rows = row(whole.max().y()) + 1;
-    first_.assign(static_cast<std::size_t>(columns_ * rows) + 1, 0);
-    for_each_cell([this](std::size_t cell, int) { ++first_[cell + 1]; });
-    for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
-    triangles_.resize(static_cast<std::size_t>(first_.back()));
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    for_each_cell(
-        [&](std::size_t cell, int t) { triangles_[static_cast<std::size_t>(next[cell]++)] = t; });
-  }
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-  /// Every pair of triangles whose boxes intersect, once.
-  template <class Function>
-  void for_each_pair(const Function& function) const {
-    for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell)
-      for (int i = first_[cell]; i < first_[cell + 1]; ++i)
-        for (int j = i + 1; j < first_[cell + 1]; ++j) {
-          const int a = triangles_[static_cast<std::size_t>(i)];
-          const int b = triangles_[static_cast<std::size_t>(j)];
-          const auto& box = boxes_[static_cast<std::size_t>(a)];
-          const auto& other = boxes_[static_cast<std::size_t>(b)];
-          if (!box.intersects(other)) continue;
-          const Vec2 corner = box.min().cwiseMax(other.min());
-          if (cell_at(column(corner.x()), row(corner.y())) == cell) function(a, b);
-        }
-  }
-
- private:
-  std::int64_t column(double x) const {
-    return static_cast<std::int64_t>((x - origin_.x()) / cell_);
-  }
-  std::int64_t row(double y) const { return static_cast<std::int64_t>((y - origin_.y()) / cell_); }
-  std::size_t cell_at(std::int64_t column, std::int64_t row) const {
-    return static_cast<std::size_t>(row * columns_ + column);
-  }
-
-  double cells_of_boxes() const {
-    double count = 0;
-    for (const auto& box : boxes_)
-      count += (box.sizes().x() / cell_ + 1) * (box.sizes().y() / cell_ + 1);
-    return count;
-  }
-
-  template <class Function>
-  void for_each_cell(const Function& function) const {
-    for (std::size_t t = 0; t < boxes_.size(); ++t) {
-      const auto& box = boxes_[t];
-      for (auto y = row(box.min().y()); y <= row(box.max().y()); ++y)
-        for (auto x = column(box.min().x()); x <= column(box.max().x()); ++x)
-          function(cell_at(x, y), static_cast<int>(t));
-    }
-  }
-
-  const Boxes& boxes_;
-  Vec2 origin_;
-  double cell_ = 1;
-  std::int64_t columns_ = 0;
-  std::vector<int> first_;  ///< cell → its entries in `triangles_`
-  std::vector<int> triangles_;
-};
-
-bool have_common_corner(const Triangles& triangles, int a, int b) {
-  for (const int v : triangles.col(a))
-    if (v == triangles(0, b) || v == triangles(1, b) || v == triangles(2, b)) return true;
+bool have_common_corner(const Triangles& triangles, const Overlap& pair) {
+  for (const int v : triangles.col(pair.a))
+    if ((triangles.col(pair.b).array() == v).any()) return true;
   return false;
 }
 
@@ -122,25 +45,95 @@ Meeting meeting_at_edges(const Triangles& triangles, const Points& points, int a
   return meeting;
 }
 
+/// The pairs that were met, each once.
+class Walk {
+ public:
+  Walk(const Triangles& triangles, const Points& points, CommonCorners corners)
+      : triangles_(triangles), points_(points), corners_(corners) {}
+
+  /// Keeps the pair if it is new and its triangles meet.
+  void meet(int a, int b) {
+    if (a < 0 || b < 0 || a == b) return;
+    Overlap pair{std::min(a, b), std::max(a, b)};
+    const std::uint64_t key =
+        (static_cast<std::uint64_t>(pair.a) << 32) | static_cast<std::uint64_t>(pair.b);
+    if (met_.contains(key)) return;
+    const bool are_neighbours = have_common_corner(triangles_, pair);
+    if (are_neighbours && corners_ == CommonCorners::apart) return;
+    const Meeting meeting = std::min(meeting_at_edges(triangles_, points_, pair.a, pair.b),
+                                     meeting_at_edges(triangles_, points_, pair.b, pair.a));
+    if (meeting == Meeting::apart || (meeting == Meeting::contact && are_neighbours)) return;
+    pair.is_contact = meeting == Meeting::contact;
+    met_.insert(key);
+    pairs.push_back(pair);
+  }
+
+  std::vector<Overlap> pairs;
+
+ private:
+  const Triangles& triangles_;
+  const Points& points_;
+  CommonCorners corners_;
+  std::unordered_set<std::uint64_t> met_;
+};
+
 }  // namespace
 
-std::vector<Overlap> overlapping_triangles(const Triangles& triangles, const Points& points,
-                                           CommonCorners corners) {
-  if (triangles.cols() == 0) return {};
-  Boxes boxes(static_cast<std::size_t>(triangles.cols()));
-  for (std::size_t t = 0; t < boxes.size(); ++t)
-    for (const int v : triangles.col(static_cast<Eigen::Index>(t))) boxes[t].extend(points.col(v));
-  std::vector<Overlap> overlaps;
-  Grid(boxes).for_each_pair([&](int a, int b) {
-    const bool are_neighbours = have_common_corner(triangles, a, b);
-    if (are_neighbours && corners == CommonCorners::apart) return;
-    const Meeting meeting = std::min(meeting_at_edges(triangles, points, a, b),
-                                     meeting_at_edges(triangles, points, b, a));
-    if (meeting == Meeting::apart || (meeting == Meeting::contact && are_neighbours)) return;
-    overlaps.push_back({std::min(a, b), std::max(a, b), meeting == Meeting::contact});
-  });
-  std::ranges::sort(overlaps, {}, [](const Overlap& o) { return std::tuple(o.a, o.b); });
-  return overlaps;
+OverlapSearch::OverlapSearch(const Triangles& triangles, int vertex_count)
+    : triangles_(triangles), first_(at(vertex_count) + 1, 0) {
+  for (const int v : triangles.reshaped()) ++first_[at(v) + 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  sides_.resize(static_cast<std::size_t>(triangles.size()));
+  std::vector<int> next(first_.begin(), first_.end() - 1);
+  for (int t = 0; t < static_cast<int>(triangles.cols()); ++t)
+    for (int k = 0; k < 3; ++k)
+      sides_[at(next[at(triangles(k, t))]++)] = {triangles((k + 1) % 3, t), t};
+  for (int v = 0; v < vertex_count; ++v)
+    for (int i = first_[at(v)]; i < first_[at(v) + 1]; ++i)
+      if (triangle_of_side(sides_[at(i)].to, v) < 0)
+        boundary_.push_back({v, sides_[at(i)].to, sides_[at(i)].triangle});
+}
+
+/// −1 where there is none.
+int OverlapSearch::triangle_of_side(int from, int to) const {
+  for (int i = first_[at(from)]; i < first_[at(from) + 1]; ++i)
+    if (sides_[at(i)].to == to) return sides_[at(i)].triangle;
+  return -1;
+}
+
+std::array<int, 3> OverlapSearch::neighbours(int triangle) const {
+  const Eigen::Vector3i t = triangles_.col(triangle);
+  return {triangle_of_side(t[1], t[0]), triangle_of_side(t[2], t[1]), triangle_of_side(t[0], t[2])};
+}
+
+/// Pairs of a triangle at the boundary and one that the box of its boundary edge touches.
+std::vector<Overlap> OverlapSearch::at_boundary(const Points& points) const {
+  std::vector<Eigen::AlignedBox2d> boxes(boundary_.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    boxes[i].extend(points.col(boundary_[i].from));
+    boxes[i].extend(points.col(boundary_[i].to));
+  }
+  const BoxGrid grid(boxes);
+  std::vector<Overlap> pairs;
+  for (int t = 0; t < static_cast<int>(triangles_.cols()); ++t) {
+    Eigen::AlignedBox2d box;
+    for (const int v : triangles_.col(t)) box.extend(points.col(v));
+    grid.for_each_near(box, [&](int edge) { pairs.push_back({boundary_[at(edge)].triangle, t}); });
+  }
+  return pairs;
+}
+
+std::vector<Overlap> OverlapSearch::find(const Points& points, CommonCorners corners) const {
+  if (triangles_.cols() == 0) return {};
+  Walk walk(triangles_, points, corners);
+  for (const Overlap& pair : at_boundary(points)) walk.meet(pair.a, pair.b);
+  for (std::size_t i = 0; i < walk.pairs.size(); ++i) {
+    const auto [a, b, is_contact] = walk.pairs[i];
+    for (const int next : neighbours(a)) walk.meet(next, b);
+    for (const int next : neighbours(b)) walk.meet(a, next);
+  }
+  std::ranges::sort(walk.pairs, {}, [](const Overlap& o) { return std::tuple(o.a, o.b); });
+  return std::move(walk.pairs);
 }
 
 }  // namespace foldless

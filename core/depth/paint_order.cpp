@@ -62,17 +62,20 @@ Eigen::VectorXd order_at_rest(const Triangles& triangles, const Points& rest) {
 void PaintOrder::adopt(const Snapshot& snapshot) {
   if (revision_ == snapshot.revision) return;
   revision_ = snapshot.revision;
+  triangles_ = snapshot.triangles;
   boundary_.emplace(*snapshot.triangles, static_cast<int>(snapshot.rest->cols()));
+  search_.reset();
   depths_.reset();
   is_known_ = false;
 }
 
-bool PaintOrder::refresh_overlaps(const Triangles& triangles, const Points& points) {
+bool PaintOrder::refresh_overlaps(const Points& points) {
   const bool have_open_corners = boundary_->have_open_corners(points);
   overlaps_.clear();
   if (have_open_corners && !boundary_->meet(points) && !boundary_->are_nested(points)) return false;
-  overlaps_ = overlapping_triangles(
-      triangles, points, have_open_corners ? CommonCorners::apart : CommonCorners::may_overlap);
+  if (!search_) search_.emplace(*triangles_, static_cast<int>(points.cols()));
+  overlaps_ =
+      search_->find(points, have_open_corners ? CommonCorners::apart : CommonCorners::may_overlap);
   return !overlaps_.empty();
 }
 
@@ -96,7 +99,7 @@ const std::vector<int>& PaintOrder::layers(const Snapshot& snapshot, const Point
   layers_.assign(static_cast<std::size_t>(snapshot.triangles->cols()), 0);
   if (!snapshot.is_valid()) {
     overlaps_.clear();
-  } else if (!has_moved || refresh_overlaps(*snapshot.triangles, points)) {
+  } else if (!has_moved || refresh_overlaps(points)) {
     refresh_keys(snapshot, std::move(depths));
     layers_ = paint_layers(*snapshot.triangles, overlaps_, keys_);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,12 +31,14 @@ class PaintOrder {
 
   void adopt(const Snapshot& snapshot);
   /// Returns whether there are any.
-  bool refresh_overlaps(const Triangles& triangles, const Points& points);
+  bool refresh_overlaps(const Points& points);
   void refresh_keys(const Snapshot& snapshot, Depths depths);
 
   std::optional<std::uint64_t> revision_;
-  std::optional<BoundaryCurves> boundary_;  ///< of that revision
-  std::optional<Depths> depths_;            ///< what keys_ were made of; empty: no depths
+  std::shared_ptr<const Triangles> triangles_;  ///< of that revision, as what follows
+  std::optional<BoundaryCurves> boundary_;
+  std::optional<OverlapSearch> search_;  ///< made when something overlaps
+  std::optional<Depths> depths_;         ///< what keys_ were made of; empty: no depths
   DepthField depth_;
   PaintKeys keys_;
   bool is_known_ = false;  ///< what follows, for points_

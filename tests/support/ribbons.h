@@ -6,10 +6,17 @@
 #include <memory>
 #include <vector>
 
+#include "core/depth/overlaps.h"
 #include "core/snapshot.h"
 #include "tests/support/meshes.h"
 
 namespace foldless::test {
+
+/// All pairs of overlapping triangles of a mesh.
+inline std::vector<Overlap> overlapping_triangles(const Triangles& triangles, const Points& points,
+                                                  CommonCorners corners) {
+  return OverlapSearch(triangles, static_cast<int>(points.cols())).find(points, corners);
+}
 
 /// A straight strip of `cells` × 2 cells, of x in [from, to] and y in ±half_width; the vertices of
 /// one x after another, three of each.

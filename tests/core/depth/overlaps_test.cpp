@@ -62,6 +62,17 @@ TEST(Overlaps, AreThosePairsThatCoverACommonPointOnceAndSorted) {
   }
 }
 
+TEST(Overlaps, OfARibbonThatCrossesItselfAreAllFound) {
+  Fixture f = ribbon(60, -1.6, 1.6, 0.3);
+  f.rest = along(f.rest, loop);
+  std::vector<Overlap> expected;
+  for (int a = 0; a < f.triangles.cols(); ++a)
+    for (int b = a + 5; b < f.triangles.cols(); ++b)
+      if (std::abs(a / 4 - b / 4) > 1 && cover_a_common_point(f, a, b)) expected.push_back({a, b});
+  ASSERT_GT(expected.size(), 200U);
+  EXPECT_EQ(overlapping_triangles(f.triangles, f.rest, CommonCorners::apart), expected);
+}
+
 TEST(Overlaps, AreFoundAmongTrianglesOfVeryDifferentSizes) {
   Fixture f = confetti(200, 0.01, 9);
   f.rest.col(0) = Vec2(-100, -100);
