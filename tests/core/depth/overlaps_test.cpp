@@ -63,13 +63,13 @@ TEST(Overlaps, AreThosePairsThatCoverACommonPointOnceAndSorted) {
 }
 
 TEST(Overlaps, OfARibbonThatCrossesItselfAreAllFound) {
-  Fixture f = ribbon(60, -1.6, 1.6, 0.3);
+  Fixture f = ribbon(60, -1.6, 1.71, 0.2);  // no two edges coincide
   f.rest = along(f.rest, loop);
   std::vector<Overlap> expected;
   for (int a = 0; a < f.triangles.cols(); ++a)
     for (int b = a + 5; b < f.triangles.cols(); ++b)
       if (std::abs(a / 4 - b / 4) > 1 && cover_a_common_point(f, a, b)) expected.push_back({a, b});
-  ASSERT_GT(expected.size(), 200U);
+  ASSERT_GT(expected.size(), 50U);
   EXPECT_EQ(overlapping_triangles(f.triangles, f.rest, CommonCorners::apart), expected);
 }
 
