@@ -108,12 +108,14 @@ void Editor::delete_selected() {
 
 void Editor::change_selected(const std::string& label, const std::function<void(Handle&)>& change) {
   cancel_gesture();
-  Document document = document_;
-  for (Handle& handle : document.handles)
-    if (selection_.contains(handle.id)) change(handle);
-  if (document.handles == document_.handles) return;
+  const auto changed = [&](std::vector<Handle> handles) {
+    for (Handle& handle : handles)
+      if (selection_.contains(handle.id)) change(handle);
+    return handles;
+  };
+  if (changed(document_.handles) == document_.handles) return;
   begin_edit();
-  document_.handles = std::move(document.handles);
+  document_.handles = changed(document_.handles);  // those of the iteration that is shown, if any
   apply(document_, Change::appearance);
   commit(label);
 }

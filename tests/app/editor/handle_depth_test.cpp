@@ -119,7 +119,11 @@ TEST_F(HandleDepth, OfAnEarlierIterationIsThatOfNow) {
   editor_->scrub(0);
   if (!editor_->scrubbed()) GTEST_SKIP() << "one iteration was enough";
   EXPECT_EQ(editor_->shown()->handles[1].depth, 7);
-  editor_->use_iteration();
+  const Points shown = editor_->shown()->deformed;
+  set_depth(*editor_, 8);
+  EXPECT_EQ(depth(right_), 8);
+  EXPECT_EQ(editor_->document().pose->deformed, shown) << "as any edit of an earlier iteration";
+  key(Key::z, kControl);
   EXPECT_EQ(depth(right_), 7);
 }
 
