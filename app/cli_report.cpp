@@ -83,6 +83,7 @@ JsonNode handles_node(const std::vector<Handle>& handles) {
     if (handle.kind != HandleKind::drag)
       object.emplace_back("kind", node_of(handle_kind_name(handle.kind)));
     if (handle.kind == HandleKind::soft) object.emplace_back("weight", node_of(handle.weight));
+    if (handle.depth != 0) object.emplace_back("depth", node_of(handle.depth));
     array.push_back({std::move(object)});
   }
   return {std::move(array)};

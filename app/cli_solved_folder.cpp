@@ -41,6 +41,7 @@ Handle read_handle(const JsonValue& value, Eigen::Index vertex_count) {
     handle.kind = *known;
   }
   if (const auto weight = value.find("weight")) handle.weight = weight->number();
+  if (const auto depth = value.find("depth")) handle.depth = depth->number();
   return handle;
 }
 

@@ -15,6 +15,7 @@ struct Handle {
   Vec2 target = Vec2::Zero();          ///< where the vertex should be
   HandleKind kind = HandleKind::drag;  ///< `soft` handles are weighted and need not be met
   double weight = 1;                   ///< factor on α, used for soft handles only
+  double depth = 0;                    ///< the larger is in front where the mesh overlaps itself
 
   bool operator==(const Handle&) const = default;
 };

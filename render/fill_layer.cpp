@@ -47,23 +47,23 @@ void FillLayer::set_texture(const TextureLevels* image, const std::optional<Box>
   }
 }
 
-void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, const CanvasColours& colours,
-                     double squares) const {
+void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
+                     const Checkerboard& board) const {
   const Box& box = image_ && image_place_ ? *image_place_ : mesh.rest_box();
   const glm::dvec2 extent = glm::max(box.max - box.min, glm::dvec2(1e-300));
   use_in_frame(fill_, frame);
   fill_.set("box_min", glm::vec2(box.min - mesh.origin()));
   fill_.set("box_size", glm::vec2(extent));
-  fill_.set("square_size", static_cast<float>(std::max(extent.x, extent.y) / squares));
-  fill_.set("light", colours.checker_light);
-  fill_.set("dark", colours.checker_dark);
+  fill_.set("square_size", static_cast<float>(std::max(extent.x, extent.y) / board.squares));
+  fill_.set("light", board.light);
+  fill_.set("dark", board.dark);
   fill_.set("is_textured", image_ ? 1 : 0);
   fill_.set("image", 0);
   if (image_) image_->bind();
-  mesh.draw_triangles();
+  mesh.draw_triangles(sheet);
 }
 
-void FillLayer::draw_folded(const Frame& frame, const MeshLayer& mesh,
+void FillLayer::draw_folded(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
                             const glm::vec4& colour) const {
   use_in_frame(fill_, frame);
   fill_.set("box_size", glm::vec2(1));
@@ -73,7 +73,7 @@ void FillLayer::draw_folded(const Frame& frame, const MeshLayer& mesh,
   fill_.set("is_textured", 0);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_FRONT);
-  mesh.draw_triangles();
+  mesh.draw_triangles(sheet);
   glDisable(GL_CULL_FACE);
 }
 
@@ -94,11 +94,12 @@ void FillLayer::upload_heat(const MeshLayer& mesh, const Distortion& distortion)
                GL_UNSIGNED_BYTE, texels.data());
 }
 
-void FillLayer::draw_heat(const Frame& frame, const MeshLayer& mesh, const Distortion& distortion) {
-  upload_heat(mesh, distortion);
+void FillLayer::draw_heat(const Frame& frame, const MeshLayer& mesh, std::size_t sheet) const {
   use_in_frame(heat_, frame);
   heat_.set("colours", 0);
-  mesh.draw_triangles();
+  heat_.set("first_triangle", static_cast<int>(mesh.first_triangle(sheet)));
+  glBindTexture(GL_TEXTURE_2D, heat_colours_.id());
+  mesh.draw_triangles(sheet);
 }
 
 }  // namespace foldless

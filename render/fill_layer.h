@@ -12,6 +12,12 @@
 
 namespace foldless {
 
+/// What a mesh without an image is filled with.
+struct Checkerboard {
+  glm::vec4 light, dark;
+  double squares = 20;  ///< along the longer side of the rest mesh's box
+};
+
 /// The insides of the triangles: a checkerboard or an image fixed to the rest mesh, or the colours
 /// of a heat map. Triangles are not antialiased one by one, so that no seam shows between them.
 class FillLayer {
@@ -22,17 +28,21 @@ class FillLayer {
   /// the rest plane; absent: the box of the rest mesh. Throws Error as FillTexture.
   void set_texture(const TextureLevels* image, const std::optional<Box>& place = std::nullopt);
 
-  /// `squares` of the checkerboard lie along the longer side of the rest mesh's box.
-  void draw(const Frame& frame, const MeshLayer& mesh, const CanvasColours& colours,
-            double squares) const;
-  /// The triangles that are clockwise on screen, in one colour: the folded ones.
-  void draw_folded(const Frame& frame, const MeshLayer& mesh, const glm::vec4& colour) const;
-  /// One colour of viridis a triangle.
-  void draw_heat(const Frame& frame, const MeshLayer& mesh, const Distortion& distortion);
+  // Each draws one sheet of the mesh.
 
- private:
+  /// The image, or else the checkerboard.
+  void draw(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
+            const Checkerboard& board) const;
+  /// The triangles that are clockwise on screen, in one colour: the folded ones.
+  void draw_folded(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
+                   const glm::vec4& colour) const;
+  /// One colour of viridis a triangle, as uploaded.
+  void draw_heat(const Frame& frame, const MeshLayer& mesh, std::size_t sheet) const;
+
+  /// The colours of a heat map, for all sheets of the mesh as it is now.
   void upload_heat(const MeshLayer& mesh, const Distortion& distortion);
 
+ private:
   ShaderProgram fill_;
   ShaderProgram heat_;
   std::optional<FillTexture> image_;

@@ -141,18 +141,20 @@ void MarkerLayer::draw_segments(const std::vector<glm::vec2>& ends) const {
   glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(ends.size()));
 }
 
-void MarkerLayer::draw_split_vertices(const Frame& frame, const MarkerScene& scene) {
+void MarkerLayer::draw_split_vertices(const Frame& frame, const MarkerScene& scene,
+                                      const std::vector<int>& vertices) {
   const CanvasColours& colours = canvas_colours(scene.options.theme);
   const Points& points = points_of(scene);
   std::vector<Marker> markers;
-  for (int v = scene.snapshot.original_vertices; v < points.cols(); ++v)
-    markers.push_back({.centre = relative(points.col(v), scene.origin),
-                       .radius = kSplitRadius * frame.ui_scale,
-                       .roundness = 1,
-                       .rim_width = frame.ui_scale,
-                       .shadow = 0,
-                       .fill = colours.split,
-                       .rim = colours.boundary});
+  for (const int v : vertices)
+    if (v >= scene.snapshot.original_vertices)
+      markers.push_back({.centre = relative(points.col(v), scene.origin),
+                         .radius = kSplitRadius * frame.ui_scale,
+                         .roundness = 1,
+                         .rim_width = frame.ui_scale,
+                         .shadow = 0,
+                         .fill = colours.split,
+                         .rim = colours.boundary});
   draw(frame, markers);
 }
 

@@ -39,7 +39,9 @@ class MarkerLayer {
  public:
   explicit MarkerLayer(const std::filesystem::path& shader_folder);
 
-  void draw_split_vertices(const Frame& frame, const MarkerScene& scene);
+  /// Those among the vertices of a sheet.
+  void draw_split_vertices(const Frame& frame, const MarkerScene& scene,
+                           const std::vector<int>& vertices);
   void draw_handles(const Frame& frame, const MarkerScene& scene, const LineLayer& lines);
 
  private:

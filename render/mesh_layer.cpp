@@ -2,9 +2,10 @@
 #include "render/mesh_layer.h"
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <utility>
 
-#include "render/drawing_order.h"
-#include "render/mesh_edges.h"
+#include "render/layer_lists.h"
 
 namespace foldless {
 namespace {
@@ -36,10 +37,6 @@ void attach_points(GLuint attribute, const Buffer& points) {
 
 void attach_indices(const Buffer& indices) { glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id()); }
 
-void append(std::vector<std::uint32_t>& list, const std::vector<std::uint32_t>& more) {
-  list.insert(list.end(), more.begin(), more.end());
-}
-
 }  // namespace
 
 MeshLayer::MeshLayer() {
@@ -57,43 +54,74 @@ MeshLayer::MeshLayer() {
 }
 
 void MeshLayer::update(const Snapshot& snapshot, Pose pose) {
-  if (revision_ != snapshot.revision || flipped_edges_ != flipped_of(snapshot))
-    upload_connectivity(snapshot);
-  upload_points(positions_, pose == Pose::rest ? *snapshot.rest : snapshot.deformed);
+  const Points& points = pose == Pose::rest ? *snapshot.rest : snapshot.deformed;
+  const bool is_new = revision_ != snapshot.revision || flipped_edges_ != flipped_of(snapshot);
+  if (is_new) adopt_connectivity(snapshot);
+  const std::vector<int>& sheets = paint_order_.layers(snapshot, points);
+  if (is_new || sheets != sheets_) {
+    sheets_ = sheets;
+    upload_indices();
+  }
+  upload_points(positions_, points);
   ++stats_.position_uploads;
 }
 
-void MeshLayer::upload_connectivity(const Snapshot& snapshot) {
+void MeshLayer::adopt_connectivity(const Snapshot& snapshot) {
   rest_box_ = box_of(*snapshot.rest);
   upload_points(rest_, *snapshot.rest);
-  const Triangles& triangles = *snapshot.triangles;
-  order_ = drawing_order(triangles, *snapshot.rest);
+  corners_.clear();
+  for (const int v : snapshot.triangles->reshaped())
+    corners_.push_back(static_cast<std::uint32_t>(v));
+  auto [interior, boundary] = mesh_edges(corners_);
+  flipped_edges_ = flipped_of(snapshot);
+  std::vector<MeshEdge> flipped;
+  for (const Edge& edge : flipped_edges_) {
+    const auto a = static_cast<std::uint32_t>(edge[0]), b = static_cast<std::uint32_t>(edge[1]);
+    const MeshEdge* found = find_edge(interior, a, b);
+    flipped.push_back(found ? *found : MeshEdge{a, b});
+  }
+  mesh_edges_ = {std::move(interior), std::move(boundary), std::move(flipped)};
+  revision_ = snapshot.revision;
+}
+
+void MeshLayer::upload_indices() {
+  const int most = sheets_.empty() ? 0 : *std::ranges::max_element(sheets_);
+  LayerLists lists = layer_lists(sheets_, static_cast<std::size_t>(most) + 1);
+  order_ = std::move(lists.order);
+  triangle_starts_ = std::move(lists.first);
   std::vector<std::uint32_t> indices;
-  indices.reserve(static_cast<std::size_t>(triangles.size()));
-  for (const int t : order_)
-    for (const int v : triangles.col(t)) indices.push_back(static_cast<std::uint32_t>(v));
-  triangle_indices_ = indices.size();
+  indices.reserve(corners_.size());
+  for (const int t : order_) {
+    const auto first = corners_.begin() + 3 * static_cast<std::ptrdiff_t>(t);
+    indices.insert(indices.end(), first, first + 3);
+  }
   glBindVertexArray(faces_.id());
   upload(GL_ELEMENT_ARRAY_BUFFER, indices, GL_DYNAMIC_DRAW);
-  upload_edges(snapshot, indices);
-  revision_ = snapshot.revision;
+  indices.clear();
+  for (const EdgeSet set : {EdgeSet::interior, EdgeSet::boundary, EdgeSet::flipped})
+    append_lines(indices, set);
+  glBindVertexArray(lines_.id());
+  upload(GL_ELEMENT_ARRAY_BUFFER, indices, GL_DYNAMIC_DRAW);
   ++stats_.index_uploads;
 }
 
-void MeshLayer::upload_edges(const Snapshot& snapshot,
-                             const std::vector<std::uint32_t>& triangles) {
-  MeshEdges edges = mesh_edges(triangles);
-  flipped_edges_ = flipped_of(snapshot);
-  std::vector<std::uint32_t> flipped;
-  for (const Edge& edge : flipped_edges_) flipped.insert(flipped.end(), edge.begin(), edge.end());
-  ranges_[0] = {0, edges.interior.size()};
-  ranges_[1] = {ranges_[0].count, edges.boundary.size()};
-  ranges_[2] = {ranges_[1].first + ranges_[1].count, flipped.size()};
-  std::vector<std::uint32_t> all = std::move(edges.interior);
-  append(all, edges.boundary);
-  append(all, flipped);
-  glBindVertexArray(lines_.id());
-  upload(GL_ELEMENT_ARRAY_BUFFER, all, GL_DYNAMIC_DRAW);
+void MeshLayer::append_lines(std::vector<std::uint32_t>& lines, EdgeSet set) {
+  const std::vector<MeshEdge>& edges = mesh_edges_[static_cast<std::size_t>(set)];
+  const auto sheet_of = [this](int triangle) {
+    return triangle < 0 ? 0 : sheets_[static_cast<std::size_t>(triangle)];
+  };
+  std::vector<int> sheets;
+  sheets.reserve(edges.size());
+  for (const MeshEdge& edge : edges)
+    sheets.push_back(std::max(sheet_of(edge.triangle), sheet_of(edge.other)));
+  LayerLists lists = layer_lists(sheets, sheet_count());
+  for (std::size_t& start : lists.first) start = lines.size() + 2 * start;
+  for (const int e : lists.order) {
+    const MeshEdge& edge = edges[static_cast<std::size_t>(e)];
+    lines.push_back(edge.a);
+    lines.push_back(edge.b);
+  }
+  edge_starts_[static_cast<std::size_t>(set)] = std::move(lists.first);
 }
 
 void MeshLayer::upload_points(const Buffer& buffer, const Points& points) {
@@ -104,23 +132,39 @@ void MeshLayer::upload_points(const Buffer& buffer, const Points& points) {
   upload(GL_ARRAY_BUFFER, scratch_, GL_STREAM_DRAW);
 }
 
-void MeshLayer::draw_triangles() const {
+void MeshLayer::draw_triangles(std::size_t sheet) const {
+  const std::size_t first = triangle_starts_[sheet], end = triangle_starts_[sheet + 1];
   glBindVertexArray(faces_.id());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangle_indices_), GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (end - first)), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(3 * first * sizeof(std::uint32_t)));
 }
 
-void MeshLayer::draw_range(const VertexArray& lines, const Range& range) {
+void MeshLayer::draw_lines(const VertexArray& lines, std::size_t first, std::size_t end) {
   glBindVertexArray(lines.id());
-  const auto* first = reinterpret_cast<const void*>(range.first * sizeof(std::uint32_t));
-  glDrawElements(GL_LINES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT, first);
+  glDrawElements(GL_LINES, static_cast<GLsizei>(end - first), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
-void MeshLayer::draw_edges(EdgeSet set) const {
-  draw_range(lines_, ranges_[static_cast<std::size_t>(set)]);
+void MeshLayer::draw_edges(EdgeSet set, std::size_t sheet) const {
+  draw_lines(lines_, starts(set)[sheet], starts(set)[sheet + 1]);
 }
 
 void MeshLayer::draw_rest_boundary() const {
-  draw_range(rest_lines_, ranges_[static_cast<std::size_t>(EdgeSet::boundary)]);
+  draw_lines(rest_lines_, starts(EdgeSet::boundary).front(), starts(EdgeSet::boundary).back());
+}
+
+std::vector<std::vector<int>> MeshLayer::vertices_by_sheet() const {
+  std::vector<int> sheet_of;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    if (corners_[i] >= sheet_of.size()) sheet_of.resize(corners_[i] + 1, -1);
+    int& sheet = sheet_of[corners_[i]];
+    sheet = std::max(sheet, sheets_[i / 3]);
+  }
+  std::vector<std::vector<int>> vertices(sheet_count());
+  for (std::size_t v = 0; v < sheet_of.size(); ++v)
+    if (sheet_of[v] >= 0)
+      vertices[static_cast<std::size_t>(sheet_of[v])].push_back(static_cast<int>(v));
+  return vertices;
 }
 
 }  // namespace foldless

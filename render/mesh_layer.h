@@ -7,9 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/depth/paint_order.h"
 #include "core/snapshot.h"
 #include "render/camera.h"
 #include "render/gl_objects.h"
+#include "render/mesh_edges.h"
 #include "render/render_stats.h"
 #include "render/view_options.h"
 
@@ -19,7 +21,9 @@ namespace foldless {
 enum class EdgeSet { interior, boundary, flipped };
 
 /// A mesh on the graphics card: positions go there with every update, connectivity and rest
-/// positions only when Snapshot::revision changed. All are floats relative to origin().
+/// positions only when Snapshot::revision changed, and indices also when other sheets lie in front.
+/// All are floats relative to origin(). It is painted in sheets, 0 at the back, each with its
+/// triangles and then its edges, so that nothing shows through what lies in front of it.
 class MeshLayer {
  public:
   MeshLayer();
@@ -27,14 +31,22 @@ class MeshLayer {
   /// Precondition: the snapshot has triangles and a rest mesh.
   void update(const Snapshot& snapshot, Pose pose);
 
+  /// At least one.
+  std::size_t sheet_count() const { return triangle_starts_.size() - 1; }
   /// Draws with the program in use: attribute 0 is the position, 1 the rest position.
-  void draw_triangles() const;
-  /// Which triangle is drawn as the first, the second …: gl_PrimitiveID counts in this order.
+  void draw_triangles(std::size_t sheet) const;
+  /// Which triangle is drawn as the first, the second …; gl_PrimitiveID counts in this order, from
+  /// 0 in every sheet.
   const std::vector<int>& order() const { return order_; }
-  /// GL_LINES of a set of edges in the pose of the last update.
-  void draw_edges(EdgeSet set) const;
+  /// Place in order() of a sheet's first triangle.
+  std::size_t first_triangle(std::size_t sheet) const { return triangle_starts_[sheet]; }
+  /// GL_LINES of a set of edges in the pose of the last update. An edge of two sheets belongs to
+  /// the one in front.
+  void draw_edges(EdgeSet set, std::size_t sheet) const;
   /// GL_LINES of the boundary of the rest mesh.
   void draw_rest_boundary() const;
+  /// The vertices of a sheet: each belongs to the foremost of its triangles'.
+  std::vector<std::vector<int>> vertices_by_sheet() const;
 
   /// World point that stands at (0, 0) on the card: the middle of the rest mesh's box.
   glm::dvec2 origin() const { return 0.5 * (rest_box_.min + rest_box_.max); }
@@ -42,23 +54,26 @@ class MeshLayer {
   const RenderStats& stats() const { return stats_; }
 
  private:
-  struct Range {
-    std::size_t first = 0;  ///< index into the edge buffer
-    std::size_t count = 0;  ///< indices
-  };
-
-  void upload_connectivity(const Snapshot& snapshot);
-  void upload_edges(const Snapshot& snapshot, const std::vector<std::uint32_t>& triangles);
+  void adopt_connectivity(const Snapshot& snapshot);
+  void upload_indices();
+  void append_lines(std::vector<std::uint32_t>& lines, EdgeSet set);
   void upload_points(const Buffer& buffer, const Points& points);
-  static void draw_range(const VertexArray& lines, const Range& range);
+  static void draw_lines(const VertexArray& lines, std::size_t first, std::size_t end);
+  const std::vector<std::size_t>& starts(EdgeSet set) const {
+    return edge_starts_[static_cast<std::size_t>(set)];
+  }
 
   Buffer positions_, rest_, triangles_, edges_;
   VertexArray faces_;       ///< positions, rest, triangles
   VertexArray lines_;       ///< positions, edges
   VertexArray rest_lines_;  ///< rest, edges
-  std::size_t triangle_indices_ = 0;
+  PaintOrder paint_order_;
+  std::vector<int> sheets_;  ///< of every triangle, as it is on the card
   std::vector<int> order_;
-  std::array<Range, 3> ranges_;  ///< by EdgeSet
+  std::vector<std::size_t> triangle_starts_{0, 0};       ///< of the sheets in order_
+  std::array<std::vector<std::size_t>, 3> edge_starts_;  ///< by EdgeSet, in the edge buffer
+  std::vector<std::uint32_t> corners_;                   ///< three a triangle
+  std::array<std::vector<MeshEdge>, 3> mesh_edges_;      ///< by EdgeSet
   Box rest_box_;
   std::optional<std::uint64_t> revision_;
   std::vector<Edge> flipped_edges_;  ///< those that are on the card

@@ -21,8 +21,9 @@ struct SceneRenderer::Parts {
       : lines(shader_folder), fill(shader_folder), markers(shader_folder) {}
 
   void draw_rest(const Frame& frame, const CanvasColours& colours) const;
-  void draw_inside(const Frame& frame, const Snapshot& snapshot, const ViewOptions& options);
-  void draw_edges(const Frame& frame, const ViewOptions& options) const;
+  void prepare_heat(const Snapshot& snapshot, const ViewOptions& options);
+  void draw_inside(const Frame& frame, std::size_t sheet, const ViewOptions& options) const;
+  void draw_edges(const Frame& frame, std::size_t sheet, const ViewOptions& options) const;
 
   MeshLayer mesh;
   LineLayer lines;
@@ -36,44 +37,49 @@ void SceneRenderer::Parts::draw_rest(const Frame& frame, const CanvasColours& co
   mesh.draw_rest_boundary();
 }
 
-void SceneRenderer::Parts::draw_inside(const Frame& frame, const Snapshot& snapshot,
-                                       const ViewOptions& options) {
+void SceneRenderer::Parts::prepare_heat(const Snapshot& snapshot, const ViewOptions& options) {
   heat_range.reset();
-  if (options.layers.heat) {
-    Distortion distortion = distortion_of(snapshot, options.heat_measure);
-    if (options.heat_scale) {
-      distortion.range.min = options.heat_scale->front();
-      distortion.range.max = options.heat_scale->back();
-    }
-    heat_range = distortion.range;
-    fill.draw_heat(frame, mesh, distortion);
-  } else if (options.layers.fill) {
-    fill.draw(frame, mesh, canvas_colours(options.theme), options.checker_squares);
+  if (!options.layers.heat) return;
+  Distortion distortion = distortion_of(snapshot, options.heat_measure);
+  if (options.heat_scale) {
+    distortion.range.min = options.heat_scale->front();
+    distortion.range.max = options.heat_scale->back();
   }
-  // Whatever layers are on: a map that is not valid shows it.
-  if (snapshot.folded_triangles > 0 && options.pose == Pose::deformed)
-    fill.draw_folded(frame, mesh, canvas_colours(options.theme).folded);
+  heat_range = distortion.range;
+  fill.upload_heat(mesh, distortion);
 }
 
-void SceneRenderer::Parts::draw_edges(const Frame& frame, const ViewOptions& options) const {
+void SceneRenderer::Parts::draw_inside(const Frame& frame, std::size_t sheet,
+                                       const ViewOptions& options) const {
+  const CanvasColours& colours = canvas_colours(options.theme);
+  if (options.layers.heat) {
+    fill.draw_heat(frame, mesh, sheet);
+  } else if (options.layers.fill) {
+    fill.draw(frame, mesh, sheet,
+              {colours.checker_light, colours.checker_dark, options.checker_squares});
+  }
+}
+
+void SceneRenderer::Parts::draw_edges(const Frame& frame, std::size_t sheet,
+                                      const ViewOptions& options) const {
   const CanvasColours& colours = canvas_colours(options.theme);
   const bool is_filled = options.layers.fill || options.layers.heat;
   if (options.layers.wireframe) {
     // Without a fill the edges lie on the canvas and take the colour that stands out there.
     const glm::vec4& colour = is_filled ? colours.wire : colours.rest;
     lines.begin(frame, {.colour = colour, .width = 1, .fade_below = kWireFade});
-    mesh.draw_edges(EdgeSet::interior);
+    mesh.draw_edges(EdgeSet::interior, sheet);
   }
   if (options.layers.boundary) {
     const glm::vec4& colour = is_filled ? colours.boundary : colours.text;
     lines.begin(frame, {.colour = colour, .width = 2, .has_round_ends = true});
-    mesh.draw_edges(EdgeSet::boundary);
+    mesh.draw_edges(EdgeSet::boundary, sheet);
   }
   if (options.layers.remeshed) {
     lines.begin(frame, {.colour = colours.casing, .width = 4.5F, .has_round_ends = true});
-    mesh.draw_edges(EdgeSet::flipped);
+    mesh.draw_edges(EdgeSet::flipped, sheet);
     lines.begin(frame, {.colour = colours.flipped, .width = 2.25F, .has_round_ends = true});
-    mesh.draw_edges(EdgeSet::flipped);
+    mesh.draw_edges(EdgeSet::flipped, sheet);
   }
 }
 
@@ -109,9 +115,17 @@ void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
                     static_cast<float>(options.ui_scale)};
   const MarkerScene scene{snapshot, view, options, parts_->mesh.origin()};
   if (options.layers.rest && options.pose != Pose::rest) parts_->draw_rest(frame, colours);
-  parts_->draw_inside(frame, snapshot, options);
-  parts_->draw_edges(frame, options);
-  if (options.layers.remeshed) parts_->markers.draw_split_vertices(frame, scene);
+  parts_->prepare_heat(snapshot, options);
+  // Whatever layers are on: a map that is not valid shows it.
+  const bool shows_folds = snapshot.folded_triangles > 0 && options.pose == Pose::deformed;
+  std::vector<std::vector<int>> vertices;
+  if (options.layers.remeshed) vertices = parts_->mesh.vertices_by_sheet();
+  for (std::size_t sheet = 0; sheet < parts_->mesh.sheet_count(); ++sheet) {
+    parts_->draw_inside(frame, sheet, options);
+    if (shows_folds) parts_->fill.draw_folded(frame, parts_->mesh, sheet, colours.folded);
+    parts_->draw_edges(frame, sheet, options);
+    if (options.layers.remeshed) parts_->markers.draw_split_vertices(frame, scene, vertices[sheet]);
+  }
   if (options.layers.handles) parts_->markers.draw_handles(frame, scene, parts_->lines);
 }
 

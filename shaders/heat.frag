@@ -2,10 +2,12 @@
 #version 330 core
 
 uniform sampler2D colours;  // one texel a triangle, row by row
+uniform int first_triangle;  // of this sheet
 
 out vec4 fragment;
 
 void main() {
   int width = textureSize(colours, 0).x;
-  fragment = texelFetch(colours, ivec2(gl_PrimitiveID % width, gl_PrimitiveID / width), 0);
+  int triangle = first_triangle + gl_PrimitiveID;
+  fragment = texelFetch(colours, ivec2(triangle % width, triangle / width), 0);
 }

@@ -50,8 +50,8 @@ function(only_in files token what)
   set(VIOLATIONS "${VIOLATIONS}" PARENT_SCOPE)
 endfunction()
 
-# 1 and 2. What core may see, a layer at a time: mesh <- files; linear <- cone; {mesh, linear} <-
-# energy <- {solve, remesh <- multires <- construct, scene} <- method <- run.
+# 1 and 2. What core may see, a layer at a time: mesh <- {files, depth}; linear <- cone;
+# {mesh, linear} <- energy <- {solve, remesh <- multires <- construct, scene} <- method <- run.
 set(BASE "${PLAIN}|${CORE}|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
 set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
 set(FILES "${MESH}|core/files/.*")
@@ -62,6 +62,7 @@ set(SCENE "${ENERGY}|core/files/.*|core/scene/.*")
 set(METHOD "${REMESH}|core/(solve|multires|construct|cone|method)/.*|core/scene/parameters\\.h")
 may_include("core/mesh/.*" "${MESH}|<CGAL/.*>")
 may_include("core/files/.*" "${FILES}|<CGAL/.*>")
+may_include("core/depth/.*" "${MESH}|core/depth/.*")
 may_include("core/linear/.*" "${LINEAR}|<(suitesparse/)?cholmod\\.h>")
 may_include("core/cone/.*" "${LINEAR}|core/cone/.*")
 may_include("core/energy/.*" "${ENERGY}")
@@ -76,7 +77,7 @@ may_include("core/run/.*" "${METHOD}|core/run/.*")
 may_include("core/[^/]+" "${BASE}|core/mesh/.*")
 
 # 1. What the renderer and the application may see.
-set(RENDER_OF_CORE "core/(error|handle|iteration|snapshot|data_path|files/atomic_file|mesh/triangle)\\.h")
+set(RENDER_OF_CORE "core/(error|handle|iteration|snapshot|data_path|depth/paint_order|files/atomic_file|mesh/triangle)\\.h")
 set(GRAPHICS "<(glad/gl|GL/osmesa|imgui)\\.h>|<glm/.*>")
 may_include("render/.*" "${PLAIN}|${RENDER_OF_CORE}|render/.*|${GRAPHICS}|${IMAGE_CODECS}|<Eigen/.*>")
 set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|image|texture_levels|view_options)\\.h|app/editor/.*")

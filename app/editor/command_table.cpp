@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/editor/editor.h"
+#include "app/editor/handle_depth.h"
 
 namespace foldless {
 namespace {
@@ -120,6 +121,8 @@ std::vector<Command> edit_commands() {
       repeating({"edit.undo", "Edit", "Undo", {{Key::z, kControl}}, can_undo, call<&Editor::undo>}),
       repeating({"edit.redo", "Edit", "Redo", {{Key::z, kControlShift}, {Key::y, kControl}}, can_redo, call<&Editor::redo>}),
       {"edit.delete", "Edit", "Delete handles", {{Key::del, kNone}, {Key::backspace, kNone}}, has_selection, call<&Editor::delete_selected>},
+      {"handle.forward", "Edit", "Bring forward", {{Key::right_bracket, kNone}}, has_selection, bring_forward},
+      {"handle.back", "Edit", "Send back", {{Key::left_bracket, kNone}}, has_selection, send_back},
       {"edit.reset_pose", "Edit", "Reset pose", {{Key::r, kControl}}, has_mesh, call<&Editor::reset_pose>},
       {"select.all", "Edit", "Select all", {{Key::a, kControl}}, has_handles, call<&Editor::select_all>},
       {"select.none", "Edit", "Select none", {{Key::a, kControlShift}}, has_selection, [](Editor& e) { e.select({}); }},

@@ -146,6 +146,8 @@ class Editor {
   void redo();
   void jump_to_step(std::size_t index);  ///< of history().steps()
   void delete_selected();
+  /// Changes what the solver does not see of the selected handles; nothing when all stay alike.
+  void change_selected(const std::string& label, const std::function<void(Handle&)>& change);
   void reset_pose();
   void set_energy(const Density& energy);
   void set_method(std::string_view name);

@@ -106,6 +106,20 @@ void Editor::delete_selected() {
   commit(label);
 }
 
+void Editor::change_selected(const std::string& label, const std::function<void(Handle&)>& change) {
+  cancel_gesture();
+  const auto changed = [&](std::vector<Handle> handles) {
+    for (Handle& handle : handles)
+      if (selection_.contains(handle.id)) change(handle);
+    return handles;
+  };
+  if (changed(document_.handles) == document_.handles) return;
+  begin_edit();
+  document_.handles = changed(document_.handles);  // those of the iteration that is shown, if any
+  apply(document_, Change::appearance);
+  commit(label);
+}
+
 void Editor::reset_pose() {
   cancel_gesture();
   if (document_.is_empty()) return;

@@ -37,7 +37,7 @@ void Editor::scrub(std::size_t index) {
   const auto snapshot = solving_.snapshot_of(index);
   if (!snapshot) return toast(ToastKind::notice, "That iteration was let go to save memory");
   scrubbed_ = index;
-  old_pose_ = adopted_pose(snapshot, *document_.pose);
+  old_pose_ = with_depths_of(document_, adopted_pose(snapshot, *document_.pose));
   refresh_shown();
 }
 

@@ -26,7 +26,7 @@ enum class Key {
   digit_0, digit_1, digit_2, digit_3, digit_4, digit_5, digit_6, digit_7, digit_8, digit_9,
   f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12,
   space, escape, enter, tab, backspace, del, home, end, left, right, up, down,
-  plus, minus, comma, period, backslash, slash
+  plus, minus, comma, period, backslash, slash, left_bracket, right_bracket
 };
 // clang-format on
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/depth/paint_order.h"
+
 namespace foldless {
 namespace {
 
@@ -16,6 +18,20 @@ Eigen::Vector3d barycentric_in(const Snapshot& pose, int triangle, const Vec2& w
   const Eigen::Vector3d areas(signed_area(world, b, c), signed_area(a, world, c),
                               signed_area(a, b, world));
   return areas / areas.sum();
+}
+
+/// All triangles that hold a point.
+std::vector<int> triangles_at(const Triangles& triangles, const Points& points, const Vec2& world) {
+  std::vector<int> hits;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const Vec2 a = points.col(triangles(0, t));
+    const Vec2 b = points.col(triangles(1, t));
+    const Vec2 c = points.col(triangles(2, t));
+    if (signed_area(a, b, world) >= 0 && signed_area(b, c, world) >= 0 &&
+        signed_area(c, a, world) >= 0)
+      hits.push_back(static_cast<int>(t));
+  }
+  return hits;
 }
 
 /// The nearest of some vertices within the hit radius of a pixel.
@@ -69,20 +85,19 @@ std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const P
 }
 
 std::optional<int> triangle_at(const Snapshot& pose, const Vec2& world) {
-  return triangle_at(*pose.triangles, pose.deformed, world);
+  const std::vector<int> hits = triangles_at(*pose.triangles, pose.deformed, world);
+  if (hits.empty()) return std::nullopt;
+  if (hits.size() == 1) return hits.front();
+  PaintOrder order;
+  const std::vector<int>& layers = order.layers(pose, pose.deformed);
+  return *std::ranges::max_element(hits, {},
+                                   [&](int t) { return layers[static_cast<std::size_t>(t)]; });
 }
 
 std::optional<int> triangle_at(const Triangles& triangles, const Points& points,
                                const Vec2& world) {
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const Vec2 a = points.col(triangles(0, t));
-    const Vec2 b = points.col(triangles(1, t));
-    const Vec2 c = points.col(triangles(2, t));
-    if (signed_area(a, b, world) >= 0 && signed_area(b, c, world) >= 0 &&
-        signed_area(c, a, world) >= 0)
-      return static_cast<int>(t);
-  }
-  return std::nullopt;
+  const std::vector<int> hits = triangles_at(triangles, points, world);
+  return hits.empty() ? std::nullopt : std::optional(hits.front());
 }
 
 std::optional<MeshHit> pick_mesh(const Snapshot* shown, const Canvas& canvas, const Vec2& pixel) {

@@ -24,7 +24,8 @@ std::optional<HandleHit> pick_handle(const Snapshot* shown, const Canvas& canvas
 /// Handles whose dot is inside a rectangle, by id.
 std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const PixelBox& box);
 
-/// The triangle of the deformed mesh that holds a world point, or nothing.
+/// The triangle of the deformed mesh that holds a world point, or nothing; where sheets lie over
+/// each other the one in front.
 std::optional<int> triangle_at(const Snapshot& shown, const Vec2& world);
 
 /// The triangle that holds a point; `points` are 2 × #V.

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "app/editor/handle_depth.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
@@ -55,6 +56,25 @@ void draw_row(const HandleView& handle, Editor& editor, const PanelContext& cont
   editor.select(std::move(selection));
 }
 
+/// A typed number counts with Enter: a click elsewhere may select other handles at once.
+void draw_depth(Editor& editor, const Look& look) {
+  const SelectedDepth selected = selected_depth(editor);
+  if (!selected.is_there) return;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Depth");
+  ImGui::SameLine(look.px(64));
+  ImGui::SetNextItemWidth(-1);
+  double depth = selected.common.value_or(0);
+  const char* format = selected.common ? "%.6g" : "several";
+  constexpr ImGuiInputTextFlags kFlags =
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+  if (ImGui::InputDouble("##depth", &depth, 1, 10, format, kFlags)) set_depth(editor, depth);
+  tooltip(
+      "The larger is in front where the mesh lies over itself; between handles it changes "
+      "evenly. [ sends back, ] brings forward.",
+      look);
+}
+
 }  // namespace
 
 void draw_handles_panel(Editor& editor, const PanelContext& context) {
@@ -76,6 +96,7 @@ void draw_handles_panel(Editor& editor, const PanelContext& context) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
       draw_row(handles[static_cast<std::size_t>(i)], editor, context);
   ImGui::EndChild();
+  draw_depth(editor, context.look);
 }
 
 }  // namespace foldless

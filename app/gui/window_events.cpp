@@ -67,6 +67,8 @@ Key named_key(int key) {
     case GLFW_KEY_KP_DECIMAL: return Key::period;
     case GLFW_KEY_BACKSLASH: return Key::backslash;
     case GLFW_KEY_SLASH: return Key::slash;
+    case GLFW_KEY_LEFT_BRACKET: return Key::left_bracket;
+    case GLFW_KEY_RIGHT_BRACKET: return Key::right_bracket;
     default: return Key::none;
   }
 }
@@ -86,6 +88,8 @@ Key printed_key(int key, int scancode) {
     case '.': return Key::period;
     case '\\': return Key::backslash;
     case '/': return Key::slash;
+    case '[': return Key::left_bracket;
+    case ']': return Key::right_bracket;
     default: return Key::none;
   }
 }

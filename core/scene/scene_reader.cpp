@@ -182,12 +182,13 @@ class SceneReader {
     std::vector<bool> named(used.size(), false);
     std::vector<std::optional<int>> ids;
     for (const JsonValue& item : handles.items()) {
-      item.allow_only({"vertex", "target", "id", "kind", "weight"});
+      item.allow_only({"vertex", "target", "id", "kind", "weight", "depth"});
       Handle handle;
       handle.vertex = read_vertex(item.at("vertex"), used, named);
       handle.target = item.at("target").point();
       if (const auto kind = item.find("kind")) handle.kind = read_kind(*kind);
       if (const auto weight = item.find("weight")) handle.weight = read_weight(*weight);
+      if (const auto depth = item.find("depth")) handle.depth = depth->number();
       const auto id = item.find("id");
       ids.push_back(id ? std::optional(read_id(*id, ids)) : std::nullopt);
       scene_.handles.push_back(handle);

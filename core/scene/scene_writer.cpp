@@ -50,6 +50,7 @@ JsonNode handles_node(const std::vector<Handle>& handles) {
     if (handle.kind != HandleKind::drag)
       object.emplace_back("kind", JsonNode{std::string(handle_kind_name(handle.kind))});
     if (handle.weight != 1) object.emplace_back("weight", JsonNode{handle.weight});
+    if (handle.depth != 0) object.emplace_back("depth", JsonNode{handle.depth});
     array.push_back({std::move(object)});
   }
   return {std::move(array)};

@@ -79,6 +79,8 @@ TEST(SceneMessages, NameHandlesThatCannotBe) {
             "scene.json:2: handles[0].kind is 'firm', but drag, pin or soft is needed");
   EXPECT_EQ(folder.error_with(R"("handles": [{"vertex": 1, "target": [0, 0], "weight": 0}])"),
             "scene.json:2: handles[0].weight is 0, but a number greater than 0 is needed");
+  EXPECT_EQ(folder.error_with(R"("handles": [{"vertex": 1, "target": [0, 0], "depth": "front"}])"),
+            "scene.json:2: handles[0].depth is 'front', but a number is needed");
   EXPECT_EQ(folder.error_with(R"("handles": [{"vertex": 1, "target": [0, 0], "id": 7},)"
                               R"({"vertex": 2, "target": [0, 0], "id": 7}])"),
             "scene.json:2: handles[1].id is 7, which an earlier handle has already");

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/depth/paint_order.h"
+
+#include <algorithm>
+
+#include "core/depth/depth_field.h"
+#include "core/mesh/components.h"
+
+namespace foldless {
+namespace {
+
+/// How much the direction to the right counts beside the distance from the middle: two arms that
+/// are alike are told apart by it.
+constexpr double kToTheRight = 0.25;
+/// More than two triangles of one component can differ.
+constexpr double kComponent = 4;
+
+/// The same value for every triangle as the mean of its corners.
+Eigen::VectorXd by_triangle(const Triangles& triangles, const Eigen::VectorXd& by_vertex) {
+  Eigen::VectorXd means(triangles.cols());
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) means[t] = by_vertex(triangles.col(t)).mean();
+  return means;
+}
+
+/// For every component, named by components_of(), its place among them and its middle at rest.
+struct Middle {
+  double rank = -1;
+  Vec2 centre = Vec2::Zero();
+  double count = 0, radius = 0;
+};
+
+/// What is in front where depths say nothing: limbs lie in front of the body, and of two limbs the
+/// right one; that does not change while they are dragged, as it depends on the rest mesh alone.
+Eigen::VectorXd order_at_rest(const Triangles& triangles, const Points& rest) {
+  const std::vector<int> component = components_of(triangles, static_cast<int>(rest.cols()));
+  std::vector<Middle> middles(component.size());
+  const auto middle_of = [&](Eigen::Index v) -> Middle& {
+    return middles[static_cast<std::size_t>(component[static_cast<std::size_t>(v)])];
+  };
+  double components = 0;
+  for (Eigen::Index v = 0; v < rest.cols(); ++v) {
+    Middle& middle = middle_of(v);
+    if (middle.rank < 0) middle.rank = components++;
+    middle.centre += (rest.col(v) - middle.centre) / ++middle.count;
+  }
+  for (Eigen::Index v = 0; v < rest.cols(); ++v) {
+    Middle& middle = middle_of(v);
+    middle.radius = std::max(middle.radius, (rest.col(v) - middle.centre).norm());
+  }
+  Eigen::VectorXd order(rest.cols());
+  for (Eigen::Index v = 0; v < rest.cols(); ++v) {
+    const Middle& middle = middle_of(v);
+    const Vec2 away = rest.col(v) - middle.centre;
+    const double place = away.norm() + kToTheRight * away.x();
+    order[v] = kComponent * middle.rank + (middle.radius > 0 ? place / middle.radius : 0);
+  }
+  return order;
+}
+
+}  // namespace
+
+void PaintOrder::adopt(const Snapshot& snapshot) {
+  if (revision_ == snapshot.revision) return;
+  revision_ = snapshot.revision;
+  triangles_ = snapshot.triangles;
+  boundary_.emplace(*snapshot.triangles, static_cast<int>(snapshot.rest->cols()));
+  search_.reset();
+  depths_.reset();
+  is_known_ = false;
+}
+
+bool PaintOrder::refresh_overlaps(const Points& points) {
+  const bool have_open_corners = boundary_->have_open_corners(points);
+  overlaps_.clear();
+  if (have_open_corners && !boundary_->meet(points) && !boundary_->are_nested(points)) return false;
+  if (!search_) search_.emplace(*triangles_, static_cast<int>(points.cols()));
+  overlaps_ =
+      search_->find(points, have_open_corners ? CommonCorners::apart : CommonCorners::may_overlap);
+  return !overlaps_.empty();
+}
+
+void PaintOrder::refresh_keys(const Snapshot& snapshot, Depths depths) {
+  if (depths_ == depths) return;
+  const Triangles& triangles = *snapshot.triangles;
+  keys_.depth = by_triangle(triangles, depth_.update(triangles, *snapshot.rest, snapshot.handles));
+  if (!depths_) keys_.order = by_triangle(triangles, order_at_rest(triangles, *snapshot.rest));
+  depths_ = std::move(depths);
+}
+
+const std::vector<int>& PaintOrder::layers(const Snapshot& snapshot, const Points& points) {
+  adopt(snapshot);
+  Depths depths;
+  if (has_depths(snapshot.handles))
+    for (const Handle& handle : snapshot.handles) depths.emplace_back(handle.vertex, handle.depth);
+  const bool has_moved = !is_known_ || points_.cols() != points.cols() || points_ != points;
+  if (!has_moved && (overlaps_.empty() || depths_ == depths)) return layers_;
+  points_ = points;
+  is_known_ = true;
+  layers_.assign(static_cast<std::size_t>(snapshot.triangles->cols()), 0);
+  if (!snapshot.is_valid()) {
+    overlaps_.clear();
+  } else if (!has_moved || refresh_overlaps(points)) {
+    refresh_keys(snapshot, std::move(depths));
+    layers_ = paint_layers(*snapshot.triangles, overlaps_, keys_);
+  }
+  return layers_;
+}
+
+}  // namespace foldless

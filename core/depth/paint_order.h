@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/depth/boundary_curves.h"
+#include "core/depth/depth_field.h"
+#include "core/depth/paint_layers.h"
+#include "core/snapshot.h"
+
+namespace foldless {
+
+/// In which order the triangles of one snapshot after another are painted, so that sheets that lie
+/// over each other stay whole: the one whose handles have the greater depth is in front; where no
+/// handle has one or depths are equal, the component that comes later, then what is farther out of
+/// its component at rest and to the right. Keeps what the next snapshot needs again: while nothing
+/// overlaps it only looks at the boundary.
+class PaintOrder {
+ public:
+  /// A layer for every triangle, see paint_layers(), as `points` have them: the snapshot's rest or
+  /// deformed positions. All 0 where nothing overlaps, and where the map folds: then there are no
+  /// sheets. Valid until the next call. Precondition: the snapshot has triangles and a rest mesh.
+  const std::vector<int>& layers(const Snapshot& snapshot, const Points& points);
+
+ private:
+  using Depths = std::vector<std::pair<int, double>>;  ///< of the handles, by vertex
+
+  void adopt(const Snapshot& snapshot);
+  /// Returns whether there are any.
+  bool refresh_overlaps(const Points& points);
+  void refresh_keys(const Snapshot& snapshot, Depths depths);
+
+  std::optional<std::uint64_t> revision_;
+  std::shared_ptr<const Triangles> triangles_;  ///< of that revision, as what follows
+  std::optional<BoundaryCurves> boundary_;
+  std::optional<OverlapSearch> search_;  ///< made when something overlaps
+  std::optional<Depths> depths_;         ///< what keys_ were made of; empty: no depths
+  DepthField depth_;
+  PaintKeys keys_;
+  bool is_known_ = false;  ///< what follows, for points_
+  Points points_;
+  std::vector<Overlap> overlaps_;
+  std::vector<int> layers_;
+};
+
+}  // namespace foldless

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/depth/paint_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/ribbons.h"
+
+namespace foldless::test {
+namespace {
+
+/// Of a ribbon that crosses itself: whether the sheet with x > 0 lies in front, everywhere.
+bool is_right_in_front(const Snapshot& snapshot, const std::vector<int>& layers) {
+  const auto overlaps =
+      overlapping_triangles(*snapshot.triangles, snapshot.deformed, CommonCorners::may_overlap);
+  EXPECT_FALSE(overlaps.empty());
+  const auto is_right = [&](int t) { return (*snapshot.rest)(0, (*snapshot.triangles)(0, t)) > 0; };
+  std::vector<bool> in_front;
+  for (const Overlap& o : overlaps) {
+    if (o.is_contact) continue;
+    const int a = layers[static_cast<std::size_t>(o.a)], b = layers[static_cast<std::size_t>(o.b)];
+    EXPECT_NE(a, b);
+    in_front.push_back(is_right(o.a) == (a > b));
+  }
+  EXPECT_EQ(std::ranges::count(in_front, in_front.front()), std::ssize(in_front)) << "as one";
+  return in_front.front();
+}
+
+TEST(PaintOrder, TheSheetOfTheHandleWithTheGreaterDepthIsInFront) {
+  Snapshot snapshot = crossing_ribbon();
+  PaintOrder order;
+  for (const double left : {1.0, -1.0, 3.0, 0.0}) {
+    snapshot.handles[0].depth = left;
+    snapshot.handles[1].depth = 0.5;
+    EXPECT_EQ(is_right_in_front(snapshot, order.layers(snapshot, snapshot.deformed)), left < 0.5)
+        << "the same mesh with other depths";
+  }
+}
+
+TEST(PaintOrder, WithoutDepthsSheetsAreWholeAndTheRightOneIsInFront) {
+  Snapshot snapshot = crossing_ribbon();
+  EXPECT_TRUE(is_right_in_front(snapshot, PaintOrder().layers(snapshot, snapshot.deformed)));
+  snapshot.handles.clear();
+  EXPECT_TRUE(is_right_in_front(snapshot, PaintOrder().layers(snapshot, snapshot.deformed)));
+}
+
+TEST(PaintOrder, HandlesWithOneDepthSayAsLittleAsHandlesWithout) {
+  Snapshot snapshot = crossing_ribbon();
+  for (Handle& handle : snapshot.handles) handle.depth = -4;
+  EXPECT_TRUE(is_right_in_front(snapshot, PaintOrder().layers(snapshot, snapshot.deformed)));
+}
+
+TEST(PaintOrder, FollowsTheSheetsWhileTheyMove) {
+  const Snapshot crossed = crossing_ribbon();
+  Snapshot moving = crossed;
+  PaintOrder order;
+  for (const double amount : {0.0, 0.5, 1.0, 0.3, 0.9}) {
+    moving.deformed = amount * crossed.deformed + (1 - amount) * *crossed.rest;
+    EXPECT_EQ(order.layers(moving, moving.deformed), PaintOrder().layers(moving, moving.deformed))
+        << "as one that begins with this mesh";
+  }
+  EXPECT_EQ(*std::ranges::max_element(order.layers(crossed, crossed.deformed)), 1);
+  EXPECT_EQ(*std::ranges::max_element(order.layers(crossed, *crossed.rest)), 0);
+}
+
+TEST(PaintOrder, LimbsAreInFrontOfTheMiddle) {
+  for (const auto& [from, to] : {std::pair{-1.6, 3.0}, std::pair{-3.0, 1.6}}) {
+    const Fixture f = ribbon(60, from, to, 0.15);
+    const Snapshot snapshot = posed(f, along(f.rest, loop));
+    const bool is_right_far = from < -2;
+    EXPECT_EQ(is_right_in_front(snapshot, PaintOrder().layers(snapshot, snapshot.deformed)),
+              is_right_far);
+  }
+}
+
+TEST(PaintOrder, ALaterComponentLiesOnAnEarlierOne) {
+  const Fixture bar = ribbon(10, -1, 1, 0.2);
+  const Fixture f = both(bar, bar);
+  Snapshot snapshot = posed(f, f.rest);
+  for (Eigen::Index v = bar.rest.cols(); v < f.rest.cols(); ++v)
+    snapshot.deformed.col(v) = Vec2(-f.rest(1, v), f.rest(0, v));
+  const std::vector<int> layers = PaintOrder().layers(snapshot, snapshot.deformed);
+  const auto half = static_cast<std::ptrdiff_t>(bar.triangles.cols());
+  EXPECT_EQ(*std::max_element(layers.begin(), layers.begin() + half), 0);
+  EXPECT_EQ(*std::max_element(layers.begin() + half, layers.end()), 1);
+  snapshot.handles.push_back({.id = 0, .vertex = 0, .depth = 0.1});
+  const std::vector<int> lifted = PaintOrder().layers(snapshot, snapshot.deformed);
+  EXPECT_EQ(*std::max_element(lifted.begin(), lifted.begin() + half), 1) << "depth goes first";
+}
+
+TEST(PaintOrder, AMapThatFoldsHasNoSheets) {
+  Snapshot snapshot = crossing_ribbon();
+  PaintOrder order;
+  ASSERT_EQ(*std::ranges::max_element(order.layers(snapshot, snapshot.deformed)), 1);
+  snapshot.folded_triangles = 1;
+  snapshot.deformed *= 2;
+  EXPECT_EQ(*std::ranges::max_element(order.layers(snapshot, snapshot.deformed)), 0);
+}
+
+}  // namespace
+}  // namespace foldless::test
