@@ -127,22 +127,21 @@ TEST(PaintLayers, ARingWoundTwiceOnItselfHasOneSideAndSeparateLayersStill) {
 }
 
 TEST(PaintLayers, PiecesInACircleAreInSeparateLayersStill) {
-  const Fixture bar = ribbon(12, -3, 3, 0.5);
-  const Fixture f = both(both(bar, bar), bar);
-  Points points = f.rest;
-  const Eigen::Index n = bar.rest.cols();
-  // A triangle of bars: each is in front at one of its ends and behind at the other.
-  for (int k = 0; k < 3; ++k) {
-    const double angle = 2 * std::numbers::pi * k / 3;
-    Mat2 turn;
-    turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-    points.middleCols(k * n, n) =
-        turn * (f.rest.middleCols(k * n, n).colwise() + Vec2(0, -1)).eval();
+  // Three sheets of two triangles; 0, 2 and 4 lie over each other. The second triangle of each
+  // sheet puts the whole of it in front of the next sheet. 6 waits for 0 though it is farther back.
+  Fixture f;
+  f.triangles.resize(3, 8);
+  for (int sheet = 0; sheet < 4; ++sheet) {
+    const int v = 4 * sheet;
+    f.triangles.col(2 * sheet) << v, v + 1, v + 2;
+    f.triangles.col(2 * sheet + 1) << v + 2, v + 1, v + 3;
   }
-  const auto overlaps = overlaps_of(f, points);
-  ASSERT_GE(overlap_pieces(f.triangles, overlaps).count, 3);
+  const std::vector<Overlap> overlaps{{0, 2}, {0, 4}, {0, 5}, {0, 6},
+                                      {0, 7}, {1, 2}, {2, 4}, {3, 4}};
   PaintKeys keys = no_keys(f);
-  for (int t = 0; t < f.triangles.cols(); ++t) keys.depth[t] = x_of(f, t);
+  for (const int t : {1, 3, 5}) keys.depth[t] = 1;
+  keys.depth[6] = -1;
+  keys.depth[7] = 3;
   expect_separate_layers(overlaps, paint_layers(f.triangles, overlaps, keys));
 }
 

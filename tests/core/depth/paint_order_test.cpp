@@ -89,6 +89,17 @@ TEST(PaintOrder, ALaterComponentLiesOnAnEarlierOne) {
   EXPECT_EQ(*std::max_element(lifted.begin(), lifted.begin() + half), 1) << "depth goes first";
 }
 
+TEST(PaintOrder, AComponentInsideAnotherLiesOnIt) {
+  Fixture small = square_grid(3);
+  small.rest *= 0.2;
+  small.rest.array() += 1.1;
+  const Fixture f = both(square_grid(4), small);
+  const Snapshot snapshot = posed(f, f.rest);
+  const std::vector<int> layers = PaintOrder().layers(snapshot, snapshot.deformed);
+  EXPECT_EQ(*std::max_element(layers.begin(), layers.begin() + 18), 0);
+  EXPECT_EQ(*std::min_element(layers.begin() + 18, layers.end()), 1);
+}
+
 TEST(PaintOrder, AMapThatFoldsHasNoSheets) {
   Snapshot snapshot = crossing_ribbon();
   PaintOrder order;
