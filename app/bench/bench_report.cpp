@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "app/bench/best_energy.h"
 #include "core/files/text_lines.h"
 
 namespace foldless {
@@ -62,6 +63,9 @@ constexpr std::array kColumns{
     Column{"note", [](const BenchRow& row) { return JsonNode{row.note}; }},
 };
 
+/// The last one, which belongs to all rows of a scene together.
+constexpr const char* kRatioColumn = "E_d_ratio_to_best";
+
 std::string cell_of(const JsonNode& node) {
   if (const auto* text = node.as<std::string>()) return *text;
   if (const bool* flag = node.as<bool>()) return yes_or_no(*flag);
@@ -82,6 +86,9 @@ double median(std::vector<double> values) {
   std::ranges::sort(values);
   return values[values.size() / 2];
 }
+
+/// E_d that is at most so many times the least counts as good as that.
+constexpr double kNearBest = 1.02;
 
 /// Ratios that a run of no work at all does not spoil.
 double log_ratio(double a, double b, double least) {
@@ -126,13 +133,16 @@ TextTable rows_table(std::span<const BenchRow> rows) {
 
 TextTable rows_csv_table(std::span<const BenchRow> rows) {
   std::vector<std::string> titles;
-  titles.reserve(kColumns.size());
+  titles.reserve(kColumns.size() + 1);
   for (const Column& column : kColumns) titles.emplace_back(column.name);
+  titles.emplace_back(kRatioColumn);
   TextTable table(std::move(titles));
+  const BestEnergies best(rows);
   for (const BenchRow& row : rows) {
     std::vector<std::string> cells;
-    cells.reserve(kColumns.size());
+    cells.reserve(kColumns.size() + 1);
     for (const Column& column : kColumns) cells.push_back(cell_of(column.value(row)));
+    cells.push_back(cell_of(number(best.ratio(row))));
     table.add(std::move(cells));
   }
   return table;
@@ -140,9 +150,11 @@ TextTable rows_csv_table(std::span<const BenchRow> rows) {
 
 JsonNode rows_node(std::span<const BenchRow> rows) {
   JsonNode::Array array;
+  const BestEnergies best(rows);
   for (const BenchRow& row : rows) {
     JsonNode::Object object;
     for (const Column& column : kColumns) object.emplace_back(column.name, column.value(row));
+    object.emplace_back(kRatioColumn, number(best.ratio(row)));
     array.push_back({std::move(object)});
   }
   return {std::move(array)};
@@ -151,6 +163,7 @@ JsonNode rows_node(std::span<const BenchRow> rows) {
 std::vector<MethodSummary> summaries_of(std::span<const BenchRow> rows) {
   std::vector<MethodSummary> summaries;
   const std::vector<std::string> methods = methods_of(rows);
+  const BestEnergies best(rows);
   for (const std::string& method : methods) {
     MethodSummary summary{.method = method};
     std::vector<double> seconds;
@@ -158,6 +171,9 @@ std::vector<MethodSummary> summaries_of(std::span<const BenchRow> rows) {
       if (row.method != method) continue;
       ++summary.runs;
       summary.reached += row.has_reached() ? 1 : 0;
+      const double ratio = best.ratio(row);
+      summary.near_best += ratio <= kNearBest ? 1 : 0;
+      if (ratio > summary.largest_energy_ratio) summary.largest_energy_ratio = ratio;
       summary.invalid += !row.is_valid && row.outcome != "refused" ? 1 : 0;
       summary.factorizations += row.last.factorizations;
       summary.updates += row.last.updates;
@@ -174,13 +190,16 @@ std::vector<MethodSummary> summaries_of(std::span<const BenchRow> rows) {
 TextTable summary_table(std::span<const MethodSummary> summaries) {
   const std::string first = summaries.empty() ? "first" : summaries.front().method;
   TextTable table({"method", "reached", "invalid", "H", "U", "CPU s", "median s",
-                   "shared with " + first, "H ratio", "CPU ratio"});
+                   "shared with " + first, "H ratio", "CPU ratio", "E_d near best",
+                   "largest E_d ratio"});
   for (const MethodSummary& summary : summaries)
     table.add({summary.method, std::to_string(summary.reached) + "/" + std::to_string(summary.runs),
                std::to_string(summary.invalid), std::to_string(summary.factorizations),
                std::to_string(summary.updates), number_text(summary.seconds),
                number_text(summary.median_seconds), std::to_string(summary.shared),
-               number_text(summary.factorization_ratio), number_text(summary.seconds_ratio)});
+               number_text(summary.factorization_ratio), number_text(summary.seconds_ratio),
+               std::to_string(summary.near_best) + "/" + std::to_string(summary.reached),
+               number_text(summary.largest_energy_ratio)});
   return table;
 }
 

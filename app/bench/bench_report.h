@@ -32,6 +32,10 @@ struct MethodSummary {
   int shared = 0;
   double factorization_ratio = 1;
   double seconds_ratio = 1;
+  /// Of the scenes that it reaches, those with an E_d of at most 1.02 times the least that any run
+  /// reached them with, and the largest ratio to that.
+  int near_best = 0;
+  double largest_energy_ratio = 1;
 };
 
 /// One summary a method, in the order in which the rows name them.

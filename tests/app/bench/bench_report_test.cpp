@@ -61,14 +61,39 @@ TEST(RowsTable, TellsOtherProgramsHowManyBoundaryVerticesOverlap) {
   BenchRow row = row_of("a", "first", 1, true);
   row.overlapping_boundary_vertices = 3;
   const std::string csv = rows_csv_table(std::vector{row}).csv();
-  EXPECT_NE(csv.find(",overlapping_boundary_vertices,note\n"), std::string::npos) << csv;
-  EXPECT_NE(csv.find(",3,\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",overlapping_boundary_vertices,note,E_d_ratio_to_best\n"), std::string::npos)
+      << csv;
+  EXPECT_NE(csv.find(",3,,1\n"), std::string::npos) << csv;
   const JsonNode rows = rows_node(std::vector{row});
   const auto& object = *rows.as<JsonNode::Array>()->front().as<JsonNode::Object>();
   const auto field =
       std::ranges::find(object, "overlapping_boundary_vertices", &JsonNode::Member::key);
   ASSERT_NE(field, object.end());
   EXPECT_EQ(*field->value.as<double>(), 3);
+}
+
+TEST(BestEnergies, AreTheLeastOfAnyRunThatReachesTheScene) {
+  std::vector<BenchRow> rows = two_methods();
+  const double energies[] = {3, 2, 5, 5.05, 1, 4, 7, 6};
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].distortion_energy = energies[i];
+  const std::string csv = rows_csv_table(rows).csv();
+  EXPECT_NE(csv.find(",1.5\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",1.01\n"), std::string::npos) << csv;
+  const auto summaries = summaries_of(rows);
+  EXPECT_EQ(summaries[0].near_best, 2) << "of b and d; the better run of d did not arrive";
+  EXPECT_EQ(summaries[1].near_best, 3);
+  EXPECT_DOUBLE_EQ(summaries[0].largest_energy_ratio, 1.5);
+  EXPECT_DOUBLE_EQ(summaries[1].largest_energy_ratio, 1.01);
+}
+
+TEST(BestEnergies, ARunThatArrivedNowhereHasNoRatio) {
+  BenchRow missed = row_of("a", "first", 1, false);
+  missed.distortion_energy = 2;
+  const JsonNode rows = rows_node(std::vector{missed});
+  const auto& object = *rows.as<JsonNode::Array>()->front().as<JsonNode::Object>();
+  const auto field = std::ranges::find(object, "E_d_ratio_to_best", &JsonNode::Member::key);
+  ASSERT_NE(field, object.end());
+  EXPECT_EQ(field->value.as<double>(), nullptr);
 }
 
 TEST(DifficultyTable, CountsByDifficultyAndMethod) {
