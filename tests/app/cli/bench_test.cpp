@@ -57,7 +57,7 @@ TEST(Bench, TellsWhichKindsOfHardScenesAreReached) {
   const Ended ended = test::run(
       {"bench", "--suite", "hard", "--only", "1,5", "--method", "foldless", "-o", folder / "out"});
   EXPECT_EQ(ended.status, 0);
-  for (const char* words : {"comb       1/1", "strip      1/1"})
+  for (const char* words : {"\ncomb          1/1", "\nstrip         1/1"})
     EXPECT_NE(ended.out.find(words), std::string::npos) << ended.out;
 }
 
