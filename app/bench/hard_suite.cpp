@@ -20,7 +20,7 @@ namespace {
 
 using Polygon = Points (*)(RandomNumbers& random, int corners);
 
-void add_handle(Scene& scene, int vertex, const Vec2& target) {
+void add_target(Scene& scene, int vertex, const Vec2& target) {
   const HandleKind kind = target == scene.rest.col(vertex) ? HandleKind::pin : HandleKind::drag;
   scene.handles.push_back({static_cast<int>(scene.handles.size()) + 1, vertex, target, kind});
 }
@@ -48,7 +48,7 @@ Scene held_boundary(RandomNumbers& random, Scene scene, Polygon polygon, double 
   const Points targets = polygon(random, static_cast<int>(loop.size()));
   const auto first = static_cast<std::size_t>(offset * static_cast<double>(loop.size()));
   for (std::size_t i = 0; i < loop.size(); ++i)
-    add_handle(scene, loop[i], targets.col(static_cast<Eigen::Index>((i + first) % loop.size())));
+    add_target(scene, loop[i], targets.col(static_cast<Eigen::Index>((i + first) % loop.size())));
   return scene;
 }
 
@@ -112,7 +112,7 @@ std::vector<int> hold_boundary(RandomNumbers& random, Scene& scene) {
   std::vector<bool> is_inside(static_cast<std::size_t>(scene.rest.cols()), true);
   for (const int v : boundary_loop(scene)) {
     is_inside[static_cast<std::size_t>(v)] = false;
-    add_handle(scene, v, scene.rest.col(v));
+    add_target(scene, v, scene.rest.col(v));
   }
   std::vector<int> inside;
   for (int v = 0; v < static_cast<int>(is_inside.size()); ++v)
@@ -126,7 +126,7 @@ Scene swap(RandomNumbers& random) {
   std::vector<int> inside = hold_boundary(random, scene);
   inside.resize(static_cast<std::size_t>(random.integer(4, 20)));
   for (std::size_t i = 0; i < inside.size(); ++i)
-    add_handle(scene, inside[i], scene.rest.col(inside[(i + 1) % inside.size()]));
+    add_target(scene, inside[i], scene.rest.col(inside[(i + 1) % inside.size()]));
   return scene;
 }
 
@@ -142,7 +142,7 @@ Scene vortices(RandomNumbers& random) {
   }
   inside.resize(std::min(inside.size(), static_cast<std::size_t>(random.integer(60, 200))));
   for (const int v : inside)
-    add_handle(scene, v, map(scene.rest.col(v)).unaryExpr(&suite_coordinate));
+    add_target(scene, v, map(scene.rest.col(v)).unaryExpr(&suite_coordinate));
   return scene;
 }
 
@@ -162,7 +162,7 @@ Scene stretched(RandomNumbers& random) {
   const Points rest = scene.rest;
   scene.rest = (affine * rest).unaryExpr(&suite_coordinate);
   for (const int v : handles)
-    add_handle(scene, v, (affine * map(rest.col(v))).unaryExpr(&suite_coordinate));
+    add_target(scene, v, (affine * map(rest.col(v))).unaryExpr(&suite_coordinate));
   return scene;
 }
 
