@@ -23,6 +23,7 @@ constexpr int kLargestRefined = 2000;
 
 std::vector<int> vertices_of(const std::vector<int>& handles, const Constraints& constraints) {
   std::vector<int> vertices;
+  vertices.reserve(handles.size());
   for (const int handle : handles)
     vertices.push_back(constraints.vertices[static_cast<std::size_t>(handle)]);
   return vertices;
