@@ -17,6 +17,7 @@ std::vector<std::vector<int>> handles_of_components(const MeshPair& mesh,
     by_component[components[static_cast<std::size_t>(v)]].push_back(i);
   }
   std::vector<std::vector<int>> handles;
+  handles.reserve(by_component.size());
   for (auto& [component, of_component] : by_component) handles.push_back(std::move(of_component));
   return handles;
 }
