@@ -22,7 +22,8 @@ Image premultiplied(Image image) {
 std::array<float, 3> weights_at(int i, int length) {
   if (length == 1) return {1, 0, 0};
   if (length % 2 == 0) return {0.5F, 0.5F, 0};
-  const auto half = static_cast<float>(length / 2), whole = static_cast<float>(length);
+  const int half_length = length / 2;
+  const auto half = static_cast<float>(half_length), whole = static_cast<float>(length);
   const auto before = static_cast<float>(i);
   return {(half - before) / whole, half / whole, (before + 1) / whole};
 }
@@ -33,7 +34,7 @@ Image halved(const Image& image) {
     const auto down = weights_at(y, image.height);
     for (int x = 0; x < half.width; ++x) {
       const auto across = weights_at(x, image.width);
-      std::array<float, 4> sum{};
+      std::array<float, 4> sum{0.5F, 0.5F, 0.5F, 0.5F};  // to the nearest
       for (int v = 0; v < 3; ++v)
         for (int u = 0; u < 3; ++u) {
           const float weight =
@@ -42,8 +43,7 @@ Image halved(const Image& image) {
           const std::uint8_t* pixel = image.at(2 * x + u, 2 * y + v);
           for (std::size_t c = 0; c < 4; ++c) sum[c] += weight * static_cast<float>(pixel[c]);
         }
-      for (std::size_t c = 0; c < 4; ++c)
-        half.at(x, y)[c] = static_cast<std::uint8_t>(sum[c] + 0.5F);
+      for (std::size_t c = 0; c < 4; ++c) half.at(x, y)[c] = static_cast<std::uint8_t>(sum[c]);
     }
   }
   return half;
