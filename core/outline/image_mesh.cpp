@@ -84,7 +84,7 @@ ImageMeshOptions options_for(const AlphaMap& alpha, MeshDetail detail) {
 }
 
 std::optional<ImageMesh> mesh_of_image(const AlphaMap& alpha, const ImageMeshOptions& options,
-                                       std::stop_token stop) {
+                                       const std::stop_token& stop) {
   if (!(options.edge_length > 0))
     throw Error("the edge length of a mesh must be a positive number");
   const Regions regions = regions_of(

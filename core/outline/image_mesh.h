@@ -41,6 +41,6 @@ struct ImageMesh {
 /// before it was done. Throws Error as regions_of() and triangulate(), and on more than 200,000
 /// vertices.
 std::optional<ImageMesh> mesh_of_image(const AlphaMap& alpha, const ImageMeshOptions& options,
-                                       std::stop_token stop = {});
+                                       const std::stop_token& stop = {});
 
 }  // namespace foldless

@@ -104,7 +104,8 @@ std::vector<Outline> nested(std::vector<Loop> loops) {
 
 }  // namespace
 
-Regions regions_of(const AlphaMap& alpha, const RegionOptions& options, std::stop_token stop) {
+Regions regions_of(const AlphaMap& alpha, const RegionOptions& options,
+                   const std::stop_token& stop) {
   check_options(alpha, options);
   ScalarGrid figure = excess_of(alpha, options.threshold);
   const Vec2 cell(static_cast<double>(alpha.width) / figure.width,

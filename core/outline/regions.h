@@ -30,6 +30,7 @@ struct Regions {
 /// pixel. The same picture always gives the same regions; of no use once `stop` was requested.
 /// Throws Error on a picture without pixels or without a figure, on one with more than a thousand
 /// parts and holes, and on options out of range.
-Regions regions_of(const AlphaMap& alpha, const RegionOptions& options, std::stop_token stop = {});
+Regions regions_of(const AlphaMap& alpha, const RegionOptions& options,
+                   const std::stop_token& stop = {});
 
 }  // namespace foldless
