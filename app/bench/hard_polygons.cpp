@@ -10,11 +10,12 @@
 #include "app/bench/random_mesh.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/orientation.h"
+#include "core/outline/loops.h"
 
 namespace foldless {
 namespace {
 
-using Corners = std::vector<Vec2>;
+using Corners = Loop;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
@@ -86,13 +87,6 @@ void untangle(Corners& polygon) {
         is_tangled = true;
       }
   }
-}
-
-double area_of(const Corners& polygon) {
-  double twice = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
-  return twice / 2;
 }
 
 }  // namespace

@@ -36,10 +36,7 @@ Scene scene_over(const Shape& shape) {
 std::vector<int> boundary_loop(const Scene& scene) {
   const auto neighbours = boundary_neighbours(scene.triangles, static_cast<int>(scene.rest.cols()));
   const auto first = std::ranges::find_if(neighbours, &BoundaryNeighbours::are_there);
-  std::vector<int> loop{static_cast<int>(first - neighbours.begin())};
-  for (int v = first->next; v != loop.front(); v = neighbours[static_cast<std::size_t>(v)].next)
-    loop.push_back(v);
-  return loop;
+  return boundary_loop(neighbours, static_cast<int>(first - neighbours.begin()));
 }
 
 /// The boundary to the corners of a polygon, the first to that of an index.

@@ -26,6 +26,7 @@
 #include "app/editor/stuck.h"
 #include "app/editor/texture_image.h"
 #include "app/editor/tool.h"
+#include "core/depth/paint_order.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -224,6 +225,8 @@ class Editor {
   // For tools.
 
   bool is_space_held() const { return space_.has_value(); }
+  /// For picking: which sheet of the mesh on screen lies in front.
+  PaintOrder& paint_order() { return paint_order_; }
   /// The document is about to change: what is on screen becomes the newest state.
   void begin_edit();
   /// The document as the edit makes it so far; the solver follows.
@@ -299,6 +302,7 @@ class Editor {
   std::shared_ptr<const Snapshot> old_pose_;  ///< the chosen iteration's, null without one
   std::optional<std::size_t> scrubbed_;
   Proof proof_;
+  PaintOrder paint_order_;
   std::optional<double> pace_;
   RemeshDiff remesh_diff_;
   ImageImport import_;

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/depth/paint_order.h"
-
 namespace foldless {
 namespace {
 
@@ -20,18 +18,18 @@ Eigen::Vector3d barycentric_in(const Snapshot& pose, int triangle, const Vec2& w
   return areas / areas.sum();
 }
 
-/// All triangles that hold a point.
-std::vector<int> triangles_at(const Triangles& triangles, const Points& points, const Vec2& world) {
-  std::vector<int> hits;
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const Vec2 a = points.col(triangles(0, t));
-    const Vec2 b = points.col(triangles(1, t));
-    const Vec2 c = points.col(triangles(2, t));
-    if (signed_area(a, b, world) >= 0 && signed_area(b, c, world) >= 0 &&
-        signed_area(c, a, world) >= 0)
-      hits.push_back(static_cast<int>(t));
-  }
-  return hits;
+bool holds(const Points& points, const Eigen::Vector3i& triangle, const Vec2& world) {
+  const Vec2 a = points.col(triangle[0]), b = points.col(triangle[1]), c = points.col(triangle[2]);
+  return signed_area(a, b, world) >= 0 && signed_area(b, c, world) >= 0 &&
+         signed_area(c, a, world) >= 0;
+}
+
+/// The first triangle from `first` on that holds a point.
+std::optional<int> next_triangle_at(const Triangles& triangles, const Points& points,
+                                    const Vec2& world, Eigen::Index first) {
+  for (Eigen::Index t = first; t < triangles.cols(); ++t)
+    if (holds(points, triangles.col(t), world)) return static_cast<int>(t);
+  return std::nullopt;
 }
 
 /// The nearest of some vertices within the hit radius of a pixel.
@@ -84,27 +82,31 @@ std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const P
   return ids;
 }
 
-std::optional<int> triangle_at(const Snapshot& pose, const Vec2& world) {
-  const std::vector<int> hits = triangles_at(*pose.triangles, pose.deformed, world);
-  if (hits.empty()) return std::nullopt;
-  if (hits.size() == 1) return hits.front();
-  PaintOrder order;
-  const std::vector<int>& layers = order.layers(pose, pose.deformed);
-  return *std::ranges::max_element(hits, {},
-                                   [&](int t) { return layers[static_cast<std::size_t>(t)]; });
+std::optional<int> triangle_at(const Snapshot& shown, const Vec2& world, PaintOrder& order) {
+  const auto next = [&](Eigen::Index first) {
+    return next_triangle_at(*shown.triangles, shown.deformed, world, first);
+  };
+  std::optional<int> front = next(0);
+  const std::optional<int> second = front ? next(*front + 1) : std::nullopt;
+  if (!second) return front;
+  const std::vector<int>& layers = order.layers(shown, shown.deformed);
+  const auto layer = [&](int t) { return layers[static_cast<std::size_t>(t)]; };
+  for (std::optional<int> hit = second; hit; hit = next(*hit + 1))
+    if (layer(*hit) > layer(*front)) front = hit;
+  return front;
 }
 
 std::optional<int> triangle_at(const Triangles& triangles, const Points& points,
                                const Vec2& world) {
-  const std::vector<int> hits = triangles_at(triangles, points, world);
-  return hits.empty() ? std::nullopt : std::optional(hits.front());
+  return next_triangle_at(triangles, points, world, 0);
 }
 
-std::optional<MeshHit> pick_mesh(const Snapshot* shown, const Canvas& canvas, const Vec2& pixel) {
+std::optional<MeshHit> pick_mesh(const Snapshot* shown, const Canvas& canvas, const Vec2& pixel,
+                                 PaintOrder& order) {
   if (!shown) return std::nullopt;
   const Snapshot& pose = *shown;
   const Vec2 world = canvas.to_world(pixel);
-  const std::optional<int> triangle = triangle_at(pose, world);
+  const std::optional<int> triangle = triangle_at(pose, world, order);
   MeshHit hit;
   NearestVertex nearest(pose, canvas, pixel);
   if (triangle) {

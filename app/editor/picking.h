@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/editor/canvas.h"
+#include "core/depth/paint_order.h"
 #include "core/snapshot.h"
 
 namespace foldless {
@@ -26,7 +27,8 @@ std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const P
 
 /// The triangle of the deformed mesh that holds a world point, or nothing; where sheets lie over
 /// each other the one in front.
-std::optional<int> triangle_at(const Snapshot& shown, const Vec2& world);
+/// `order` keeps what the next call needs again.
+std::optional<int> triangle_at(const Snapshot& shown, const Vec2& world, PaintOrder& order);
 
 /// The triangle that holds a point; `points` are 2 × #V.
 std::optional<int> triangle_at(const Triangles& triangles, const Points& points, const Vec2& world);
@@ -40,6 +42,7 @@ struct MeshHit {
 
 /// Where on the mesh a pixel is: a corner of the triangle under it that is within the hit radius
 /// before any other vertex there, before the point in the triangle itself.
-std::optional<MeshHit> pick_mesh(const Snapshot* shown, const Canvas& canvas, const Vec2& pixel);
+std::optional<MeshHit> pick_mesh(const Snapshot* shown, const Canvas& canvas, const Vec2& pixel,
+                                 PaintOrder& order);
 
 }  // namespace foldless

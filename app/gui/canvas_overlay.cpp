@@ -76,13 +76,14 @@ double heat_of(const Snapshot& snapshot, HeatMeasure measure, int triangle) {
 }
 
 /// Marks the largest value and tells the one under the pointer.
-void draw_heat_notes(const Editor& editor, const PanelContext& context, const CanvasBrush& brush) {
+void draw_heat_notes(Editor& editor, const PanelContext& context, const CanvasBrush& brush) {
   UiState& state = context.state;
   state.hovered_heat.reset();
   if (!state.heat_range) return;
   const Snapshot& snapshot = *editor.shown();
   if (state.pointer) {
-    const auto under = triangle_at(snapshot, editor.canvas().to_world(*state.pointer));
+    const auto under =
+        triangle_at(snapshot, editor.canvas().to_world(*state.pointer), editor.paint_order());
     if (under) state.hovered_heat = heat_of(snapshot, state.heat_range->measure, *under);
   }
   if (state.heat_range->triangle_at_max >= snapshot.triangles->cols()) return;

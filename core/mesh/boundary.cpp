@@ -40,6 +40,16 @@ std::vector<BoundaryNeighbours> boundary_neighbours(const Triangles& triangles, 
   return neighbours;
 }
 
+std::vector<int> boundary_loop(const std::vector<BoundaryNeighbours>& neighbours, int start) {
+  std::vector<int> loop;
+  int v = start;
+  do {
+    loop.push_back(v);
+    v = neighbours[static_cast<std::size_t>(v)].next;
+  } while (v != start);
+  return loop;
+}
+
 void mark_overlaps(const Eigen::Vector3i& triangle, const Points& points,
                    const std::vector<BoundaryNeighbours>& neighbours, std::vector<bool>& overlaps) {
   boundary::for_each_corner(triangle, [&](int v, int a, int b) {

@@ -42,6 +42,9 @@ class LinkEnds {
 /// [0, vertex_count). O(#V + #F).
 std::vector<BoundaryNeighbours> boundary_neighbours(const Triangles& triangles, int vertex_count);
 
+/// The vertices along the boundary from `start`, one of it, once round, the mesh on the left.
+std::vector<int> boundary_loop(const std::vector<BoundaryNeighbours>& neighbours, int start);
+
 /// Marks, by vertex, the boundary vertices of a counter-clockwise triangle whose angles it takes to
 /// 2π or more; `neighbours` are those of every vertex. With all triangles at a vertex
 /// counter-clockwise one of them does so exactly where it overlaps itself. Exact.

@@ -20,7 +20,8 @@ class IdleTool final : public Tool {
         editor.select({hit->id});
       return make_press_tool(event, hit, true);
     }
-    const bool is_on_mesh = pick_mesh(shown, editor.canvas(), event.position).has_value();
+    const bool is_on_mesh =
+        pick_mesh(shown, editor.canvas(), event.position, editor.paint_order()).has_value();
     return make_press_tool(event, std::nullopt, is_on_mesh);
   }
 

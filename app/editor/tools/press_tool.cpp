@@ -56,8 +56,12 @@ class PressTool final : public Tool {
     }
   }
 
+  std::optional<MeshHit> mesh_under_press(Editor& editor) const {
+    return pick_mesh(editor.shown().get(), editor.canvas(), event_.position, editor.paint_order());
+  }
+
   void click_on_bare_mesh(Editor& editor) {
-    const auto hit = pick_mesh(editor.shown().get(), editor.canvas(), event_.position);
+    const auto hit = mesh_under_press(editor);
     if (!is_on_mesh_ || !hit) return editor.select({});
     editor.begin_edit();
     if (place_at(editor, *hit))
@@ -68,7 +72,7 @@ class PressTool final : public Tool {
 
   std::unique_ptr<Tool> begin_drag(Editor& editor) {
     if (handle_ && find_handle(editor.document(), handle_->id)) return drag_handle(editor);
-    const auto hit = pick_mesh(editor.shown().get(), editor.canvas(), event_.position);
+    const auto hit = mesh_under_press(editor);
     if (is_on_mesh_ && hit && !adds() && !subtracts()) return place_and_drag(editor, *hit);
     const BandMode mode = adds()        ? BandMode::add
                           : subtracts() ? BandMode::subtract

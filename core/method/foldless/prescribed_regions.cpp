@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/mesh/boundary.h"
 #include "core/mesh/components.h"
 #include "core/mesh/injective.h"
 
@@ -51,25 +52,8 @@ std::vector<std::vector<int>> prescribed_components(const MeshPair& mesh,
   return prescribed;
 }
 
-/// The next vertex along the boundary, triangles on the left.
-int next_along_boundary(const MeshPair& mesh, int v) {
-  for (const int t : mesh.triangles_of_vertex(v)) {
-    const Eigen::Vector3i corners = mesh.triangles().col(t);
-    const int corner = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
-    const int next = corners[(corner + 1) % 3];
-    if (mesh.is_boundary_edge(mesh.find_edge(v, next).value())) return next;
-  }
-  return kNone;
-}
-
-std::vector<int> loop_through(const MeshPair& mesh, int start) {
-  std::vector<int> loop{start};
-  for (int v = next_along_boundary(mesh, start); v != start; v = next_along_boundary(mesh, v))
-    loop.push_back(v);
-  return loop;
-}
-
 PrescribedRegion region_of(const MeshPair& mesh, const VertexMarks& marks,
+                           const std::vector<BoundaryNeighbours>& neighbours,
                            const std::vector<int>& component) {
   PrescribedRegion region;
   std::set<int> in_a_loop;
@@ -79,7 +63,7 @@ PrescribedRegion region_of(const MeshPair& mesh, const VertexMarks& marks,
     if (marks.interior[at(v)]) {
       if (marks.handle[at(v)] != kNone) region.inside.push_back(marks.handle[at(v)]);
     } else if (!in_a_loop.contains(v)) {
-      std::vector<int>& loop = region.loops.emplace_back(loop_through(mesh, v));
+      std::vector<int>& loop = region.loops.emplace_back(boundary_loop(neighbours, v));
       in_a_loop.insert(loop.begin(), loop.end());
       for (int& of_vertex : loop) of_vertex = marks.handle[at(of_vertex)];
     }
@@ -96,9 +80,13 @@ PrescribedRegion region_of(const MeshPair& mesh, const VertexMarks& marks,
 std::vector<PrescribedRegion> prescribed_regions(const MeshPair& mesh,
                                                  const Constraints& constraints) {
   const VertexMarks marks = marks_of(mesh, constraints);
+  const std::vector<std::vector<int>> components = prescribed_components(mesh, marks);
   std::vector<PrescribedRegion> regions;
-  for (const std::vector<int>& component : prescribed_components(mesh, marks))
-    regions.push_back(region_of(mesh, marks, component));
+  if (components.empty()) return regions;
+  const auto neighbours = boundary_neighbours(mesh.triangles(), mesh.vertex_count());
+  regions.reserve(components.size());
+  for (const std::vector<int>& component : components)
+    regions.push_back(region_of(mesh, marks, neighbours, component));
   return regions;
 }
 

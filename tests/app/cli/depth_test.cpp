@@ -2,24 +2,17 @@
 // Depths of handles in scene files, results and pictures.
 #include <gtest/gtest.h>
 
-#include "core/energy/densities.h"
 #include "core/scene/scene_io.h"
 #include "render/image.h"
 #include "tests/app/cli/command.h"
-#include "tests/support/ribbons.h"
+#include "tests/support/ribbon_scene.h"
 
 namespace foldless::test {
 namespace {
 
 /// Writes a scene of a ribbon that crosses itself, its left end so deep.
 void write_crossing(const std::string& file, double depth) {
-  const Snapshot crossing = crossing_ribbon();
-  Scene scene;
-  scene.triangles = *crossing.triangles;
-  scene.rest = *crossing.rest;
-  scene.energy = find_density("arap");
-  scene.state = SceneState{*crossing.triangles, *crossing.rest, crossing.deformed};
-  scene.handles = crossing.handles;
+  Scene scene = crossing_scene();
   scene.handles[0].depth = depth;
   save_scene(scene, file);
 }

@@ -2,10 +2,9 @@
 // Which limb is in front, by mouse and keys: state and pixels.
 #include <gtest/gtest.h>
 
-#include "core/energy/densities.h"
 #include "core/scene/scene_io.h"
 #include "tests/app/gui/headless_editor.h"
-#include "tests/support/ribbons.h"
+#include "tests/support/ribbon_scene.h"
 #include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
@@ -15,14 +14,7 @@ namespace {
 class Depth : public testing::Test {
  protected:
   Depth() {
-    const Snapshot crossing = crossing_ribbon();
-    Scene scene;
-    scene.triangles = *crossing.triangles;
-    scene.rest = *crossing.rest;
-    scene.energy = find_density("arap");
-    scene.state = SceneState{*crossing.triangles, *crossing.rest, crossing.deformed};
-    scene.handles = crossing.handles;
-    save_scene(scene, folder_.path() / "ribbon.json");
+    save_scene(crossing_scene(), folder_.path() / "ribbon.json");
     editor().open(folder_.path() / "ribbon.json");
     headless_.calm_down();
   }

@@ -17,14 +17,9 @@ MeshPair as_mesh(const Shape& shape) { return {shape.triangles, shape.rest}; }
 
 /// The boundary of a disk, its triangles on the left, in a mesh whose components before `first`
 /// are others.
-std::vector<int> boundary_loop(const MeshPair& mesh, int first = 0) {
-  std::vector<int> loop{first};
-  while (!mesh.is_boundary_vertex(loop.front())) ++loop.front();
-  const std::vector<BoundaryNeighbours> neighbours =
-      boundary_neighbours(mesh.triangles(), mesh.vertex_count());
-  for (int v = loop.front(); (v = neighbours[static_cast<std::size_t>(v)].next) != loop.front();)
-    loop.push_back(v);
-  return loop;
+std::vector<int> loop_of(const MeshPair& mesh, int first = 0) {
+  while (!mesh.is_boundary_vertex(first)) ++first;
+  return boundary_loop(boundary_neighbours(mesh.triangles(), mesh.vertex_count()), first);
 }
 
 /// Meshes at rest: a disk, a grid with straight sides, a strip that lies over itself.
@@ -53,7 +48,7 @@ TEST(HeldDisk, GoesToAnyPolygonThatBoundsADisk) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     const MeshPair before = mesh_of(seed);
-    const std::vector<int> loop = boundary_loop(before);
+    const std::vector<int> loop = loop_of(before);
     const Points targets = test::glued_polygon(random, static_cast<int>(loop.size()));
     const auto mesh = with_held_disk(before, loop, targets);
     ASSERT_TRUE(mesh);
@@ -63,7 +58,7 @@ TEST(HeldDisk, GoesToAnyPolygonThatBoundsADisk) {
 
 TEST(HeldDisk, KeepsTheRestOfADiskThatStaysAndItsRestTrianglesAreDelaunayWithinChords) {
   const MeshPair before = mesh_of(0);
-  const std::vector<int> loop = boundary_loop(before);
+  const std::vector<int> loop = loop_of(before);
   const auto mesh = with_held_disk(before, loop, before.rest()(Eigen::all, loop));
   ASSERT_TRUE(mesh);
   EXPECT_EQ(mesh->vertex_count(), before.vertex_count());
@@ -79,7 +74,7 @@ TEST(HeldDisk, LeavesOtherComponentsAlone) {
   rest << one.rest, one.rest;
   deformed << 0.5 * one.rest, one.rest;
   const MeshPair before(triangles, rest, deformed);
-  const std::vector<int> loop = boundary_loop(before, count);
+  const std::vector<int> loop = loop_of(before, count);
   std::mt19937_64 random(1);
   const Points targets = test::glued_polygon(random, static_cast<int>(loop.size()));
   const auto mesh = with_held_disk(before, loop, targets);
@@ -94,7 +89,7 @@ TEST(HeldDisk, LeavesOtherComponentsAlone) {
 
 TEST(HeldDisk, IsNothingWhereTheTargetsBoundNoDisk) {
   const MeshPair before = mesh_of(0);
-  const std::vector<int> loop = boundary_loop(before);
+  const std::vector<int> loop = loop_of(before);
   const Points backwards = test::regular_polygon(static_cast<int>(loop.size())).rowwise().reverse();
   EXPECT_FALSE(with_held_disk(before, loop, backwards));
 }

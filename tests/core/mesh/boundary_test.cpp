@@ -60,6 +60,13 @@ TEST(Boundary, RunsRoundAGridWithTheMeshOnItsLeft) {
   EXPECT_FALSE(neighbours[n * n].are_there()) << "a vertex without a triangle";
 }
 
+TEST(Boundary, ALoopBeginsAtTheVertexThatIsNamedAndHasEveryOtherOnce) {
+  const int n = 4;
+  const test::Fixture f = test::square_grid(n);
+  const std::vector<int> loop = boundary_loop(boundary_neighbours(f.triangles, n * n), 3);
+  EXPECT_EQ(loop, (std::vector<int>{3, 7, 11, 15, 14, 13, 12, 8, 4, 0, 1, 2}));
+}
+
 TEST(Boundary, NeighboursStayThroughFlips) {
   const test::Fixture f = test::square_grid(6);
   MeshPair mesh(f.triangles, f.rest);

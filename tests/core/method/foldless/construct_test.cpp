@@ -70,7 +70,6 @@ TEST(Construct, OpensTrianglesThatTheSceneForbidsAndLeavesTheMeshAsItWasWhereItC
       EXPECT_EQ(own.work.mesh.revision(), problem.mesh.revision());
     if (!is_allowed) (progress == Progress::arrived ? opened : left) += 1;
   }
-  std::cerr << opened << " " << left;
   EXPECT_GT(opened, 3) << "the claim would be empty";
   EXPECT_GT(left, 5) << "the claim would be empty";
 }
