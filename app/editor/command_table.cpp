@@ -18,62 +18,77 @@ constexpr double kZoomStep = 1.25;
 bool always(const Editor&) { return true; }
 bool has_mesh(const Editor& e) { return !e.document().is_empty(); }
 bool has_handles(const Editor& e) { return !e.document().handles.empty(); }
-bool has_selection(const Editor& e) { return !e.selection().empty(); }
+bool has_selection(const Editor& e) { return !e.selection().ids().empty(); }
 bool has_texture(const Editor& e) { return !e.document().texture.empty(); }
-bool can_undo(const Editor& e) { return e.is_editing() || e.history().can_undo(); }
-bool can_redo(const Editor& e) { return e.history().can_redo(); }
-bool is_scrubbed(const Editor& e) { return e.scrubbed().has_value(); }
-bool is_solving(const Editor& e) { return e.is_solving(); }
-bool is_diff_shown(const Editor& e) { return e.remesh_diff().is_shown(); }
-bool is_diff_linked(const Editor& e) { return is_diff_shown(e) && e.remesh_diff().is_linked(); }
-bool is_stuck(const Editor& e) { return e.stuck_handle() != nullptr; }
+bool can_undo(const Editor& e) { return e.draft().is_editing() || e.draft().history().can_undo(); }
+bool can_redo(const Editor& e) { return e.draft().history().can_redo(); }
+bool is_scrubbed(const Editor& e) { return e.playback().scrubbed().has_value(); }
+bool is_solving(const Editor& e) { return e.playback().is_solving(); }
+bool is_diff_shown(const Editor& e) { return e.view().remesh_diff().is_shown(); }
+bool is_diff_linked(const Editor& e) {
+  return is_diff_shown(e) && e.view().remesh_diff().is_linked();
+}
+bool is_stuck(const Editor& e) { return e.stuck().handle() != nullptr; }
 bool has_race(const Editor& e) { return e.race().is_open(); }
 
 // The transport works on the race while there is one.
 
 bool is_paused(const Editor& e) {
   if (has_race(e)) return !e.race().is_playing() && !e.race().is_finished();
-  return e.solving_state() == SolvingState::paused;
+  return e.playback().state() == SolvingState::paused;
 }
 bool has_iterations(const Editor& e) {
-  return has_race(e) ? e.race().furthest() > 0 : !e.iterations().empty();
+  return has_race(e) ? e.race().furthest() > 0 : !e.playback().iterations().empty();
 }
 bool can_go_back(const Editor& e) {
-  return has_race(e) ? e.race().tick() > 0 : !e.iterations().empty();
+  return has_race(e) ? e.race().tick() > 0 : !e.playback().iterations().empty();
 }
-bool can_go_to_first(const Editor& e) { return has_race(e) ? can_go_back(e) : e.can_scrub(); }
+bool can_go_to_first(const Editor& e) {
+  return has_race(e) ? can_go_back(e) : e.playback().can_scrub();
+}
 bool can_go_to_last(const Editor& e) {
   return has_race(e) ? e.race().tick() < e.race().furthest() : is_scrubbed(e);
 }
 
-template <void (Race::*InRace)(), void (Editor::*InEditor)()>
+// The part of an editor that has a member function.
+
+Editor& part_with(void (Editor::*)(), Editor& e) { return e; }
+Draft& part_with(void (Draft::*)(), Editor& e) { return e.draft(); }
+DocumentEdits& part_with(void (DocumentEdits::*)(), Editor& e) { return e.edits(); }
+DocumentFiles& part_with(void (DocumentFiles::*)(), Editor& e) { return e.files(); }
+Selection& part_with(void (Selection::*)(), Editor& e) { return e.selection(); }
+CanvasView& part_with(void (CanvasView::*)(), Editor& e) { return e.view(); }
+Playback& part_with(void (Playback::*)(), Editor& e) { return e.playback(); }
+StuckHelp& part_with(void (StuckHelp::*)(), Editor& e) { return e.stuck(); }
+
+/// A member function of a part as an action.
+template <auto Function>
+void call(Editor& e) {
+  (part_with(Function, e).*Function)();
+}
+
+template <void (Race::*InRace)(), auto InEditor>
 void transport(Editor& e) {
   if (has_race(e))
     (e.race().*InRace)();
   else
-    (e.*InEditor)();
+    call<InEditor>(e);
 }
 
 template <Request R>
 void ask(Editor& e) {
-  e.request(R);
-}
-
-/// A member function of Editor as an action.
-template <void (Editor::*Function)()>
-void call(Editor& e) {
-  (e.*Function)();
+  e.messages().request(R);
 }
 
 template <std::size_t K>
 void toggle_layer(Editor& e) {
-  bool& shown = e.view().layers.*kLayerRows[K].shown;
+  bool& shown = e.view().options().layers.*kLayerRows[K].shown;
   shown = !shown;
 }
 
 template <std::size_t K>
 bool is_layer_on(const Editor& e) {
-  return e.view().layers.*kLayerRows[K].shown;
+  return e.view().options().layers.*kLayerRows[K].shown;
 }
 
 /// The same command, in a race too.
@@ -99,50 +114,50 @@ Command repeating(Command command) {
 
 std::vector<Command> file_commands() {
   return {
-      {"file.new", "File", "New", {{Key::n, kControl}}, always, call<&Editor::new_document>},
+      {"file.new", "File", "New", {{Key::n, kControl}}, always, call<&DocumentFiles::new_document>},
       {"file.open", "File", "Open\u2026", {{Key::o, kControl}}, always, ask<Request::open_dialog>},
       {"file.open_image", "File", "New from image\u2026", {}, always, ask<Request::image_dialog>},
-      {"file.save", "File", "Save", {{Key::s, kControl}}, has_mesh, call<&Editor::save>},
+      {"file.save", "File", "Save", {{Key::s, kControl}}, has_mesh, call<&DocumentFiles::save>},
       {"file.save_as", "File", "Save as\u2026", {{Key::s, kControlShift}}, has_mesh, ask<Request::save_dialog>},
       {"file.texture", "File", "Choose texture\u2026", {}, has_mesh, ask<Request::texture_dialog>},
-      {"file.clear_texture", "File", "Remove texture", {}, has_texture, call<&Editor::clear_texture>},
+      {"file.clear_texture", "File", "Remove texture", {}, has_texture, call<&DocumentFiles::clear_texture>},
       {"file.snapshot", "File", "Save picture", {{Key::f12, kNone}}, has_mesh, ask<Request::write_snapshot>},
       {"file.export", "File", "Export\u2026", {{Key::e, kControl}}, has_mesh, ask<Request::export_dialog>},
       {"file.export_again", "File", "Export again", {{Key::e, kControlShift}}, has_mesh, ask<Request::export_again>},
       in_race({"file.export_csv", "File", "Export convergence as CSV\u2026", {}, has_iterations, ask<Request::export_csv>}),
       in_race({"file.export_svg", "File", "Export convergence plots as SVG\u2026", {}, has_iterations, ask<Request::export_svg>}),
       in_race({"file.export_table", "File", "Export the race's table as CSV\u2026", {}, has_race, ask<Request::export_table>}),
-      in_race({"file.quit", "File", "Quit", {{Key::q, kControl}}, always, call<&Editor::close>}),
+      in_race({"file.quit", "File", "Quit", {{Key::q, kControl}}, always, call<&DocumentFiles::close>}),
   };
 }
 
 std::vector<Command> edit_commands() {
   return {
-      repeating({"edit.undo", "Edit", "Undo", {{Key::z, kControl}}, can_undo, call<&Editor::undo>}),
-      repeating({"edit.redo", "Edit", "Redo", {{Key::z, kControlShift}, {Key::y, kControl}}, can_redo, call<&Editor::redo>}),
-      {"edit.delete", "Edit", "Delete handles", {{Key::del, kNone}, {Key::backspace, kNone}}, has_selection, call<&Editor::delete_selected>},
+      repeating({"edit.undo", "Edit", "Undo", {{Key::z, kControl}}, can_undo, call<&Draft::undo>}),
+      repeating({"edit.redo", "Edit", "Redo", {{Key::z, kControlShift}, {Key::y, kControl}}, can_redo, call<&Draft::redo>}),
+      {"edit.delete", "Edit", "Delete handles", {{Key::del, kNone}, {Key::backspace, kNone}}, has_selection, call<&DocumentEdits::delete_selected>},
       {"handle.forward", "Edit", "Bring forward", {{Key::right_bracket, kNone}}, has_selection, bring_forward},
       {"handle.back", "Edit", "Send back", {{Key::left_bracket, kNone}}, has_selection, send_back},
-      {"edit.reset_pose", "Edit", "Reset pose", {{Key::r, kControl}}, has_mesh, call<&Editor::reset_pose>},
-      {"select.all", "Edit", "Select all", {{Key::a, kControl}}, has_handles, call<&Editor::select_all>},
-      {"select.none", "Edit", "Select none", {{Key::a, kControlShift}}, has_selection, [](Editor& e) { e.select({}); }},
-      {"select.invert", "Edit", "Invert selection", {{Key::i, kControl}}, has_handles, call<&Editor::invert_selection>},
+      {"edit.reset_pose", "Edit", "Reset pose", {{Key::r, kControl}}, has_mesh, call<&DocumentEdits::reset_pose>},
+      {"select.all", "Edit", "Select all", {{Key::a, kControl}}, has_handles, call<&Selection::select_all>},
+      {"select.none", "Edit", "Select none", {{Key::a, kControlShift}}, has_selection, call<&Selection::select_none>},
+      {"select.invert", "Edit", "Invert selection", {{Key::i, kControl}}, has_handles, call<&Selection::invert>},
       in_race({"edit.escape", "Edit", "Cancel, stop or deselect", {{Key::escape, kNone}}, always, call<&Editor::escape>}),
   };
 }
 
 std::vector<Command> solve_commands() {
   return {
-      in_race({"solve.toggle", "Solve", "Pause or resume", {{Key::space, kNone}}, has_mesh, transport<&Race::toggle, &Editor::toggle_pause>, is_paused}),
-      {"solve.stop", "Solve", "Stop", {}, is_solving, call<&Editor::stop_solving>},
-      in_race(repeating({"solve.step", "Solve", "Next iteration", {{Key::period, kNone}}, has_handles, transport<&Race::step_forward, &Editor::step_forward>})),
-      in_race(repeating({"solve.back", "Solve", "Previous iteration", {{Key::comma, kNone}}, can_go_back, transport<&Race::step_back, &Editor::step_back>})),
-      in_race({"solve.first", "Solve", "First iteration", {{Key::comma, kShift}}, can_go_to_first, transport<&Race::first_tick, &Editor::first_iteration>}),
-      in_race({"solve.last", "Solve", "Newest iteration", {{Key::period, kShift}}, can_go_to_last, transport<&Race::last_tick, &Editor::last_iteration>}),
-      {"solve.use", "Solve", "Use this iteration", {{Key::enter, kNone}}, is_scrubbed, call<&Editor::use_iteration>},
-      {"stuck.toggle", "Solve", "Why is it stuck?", {{Key::w, kNone}}, has_handles, call<&Editor::toggle_stuck>, [](const Editor& e) { return e.stuck().is_shown(); }},
-      {"stuck.flip", "Solve", "Flip the edges in the way", {{Key::f, kShift}}, is_stuck, call<&Editor::flip_blocking>},
-      {"stuck.split", "Solve", "Split the edges in the way", {{Key::s, kShift}}, is_stuck, call<&Editor::split_blocking>},
+      in_race({"solve.toggle", "Solve", "Pause or resume", {{Key::space, kNone}}, has_mesh, transport<&Race::toggle, &Playback::toggle_pause>, is_paused}),
+      {"solve.stop", "Solve", "Stop", {}, is_solving, call<&Playback::stop>},
+      in_race(repeating({"solve.step", "Solve", "Next iteration", {{Key::period, kNone}}, has_handles, transport<&Race::step_forward, &Playback::step_forward>})),
+      in_race(repeating({"solve.back", "Solve", "Previous iteration", {{Key::comma, kNone}}, can_go_back, transport<&Race::step_back, &Playback::step_back>})),
+      in_race({"solve.first", "Solve", "First iteration", {{Key::comma, kShift}}, can_go_to_first, transport<&Race::first_tick, &Playback::first>}),
+      in_race({"solve.last", "Solve", "Newest iteration", {{Key::period, kShift}}, can_go_to_last, transport<&Race::last_tick, &Playback::last>}),
+      {"solve.use", "Solve", "Use this iteration", {{Key::enter, kNone}}, is_scrubbed, call<&Playback::use_iteration>},
+      {"stuck.toggle", "Solve", "Why is it stuck?", {{Key::w, kNone}}, has_handles, call<&StuckHelp::toggle>, [](const Editor& e) { return e.stuck().is_shown(); }},
+      {"stuck.flip", "Solve", "Flip the edges in the way", {{Key::f, kShift}}, is_stuck, call<&StuckHelp::flip_blocking>},
+      {"stuck.split", "Solve", "Split the edges in the way", {{Key::s, kShift}}, is_stuck, call<&StuckHelp::split_blocking>},
       in_race({"race.toggle", "Solve", "Race of methods", {{Key::m, kNone}}, has_handles, call<&Editor::toggle_race>, has_race}),
       in_race({"race.restart", "Solve", "Start the race again", {{Key::m, kShift}}, has_race, [](Editor& e) { e.race().restart(); }}),
   };
@@ -150,14 +165,14 @@ std::vector<Command> solve_commands() {
 
 std::vector<Command> view_commands() {
   return {
-      repeating({"view.zoom_in", "View", "Zoom in", {{Key::plus, kNone}, {Key::plus, kShift}}, always, [](Editor& e) { e.zoom(kZoomStep); }}),
-      repeating({"view.zoom_out", "View", "Zoom out", {{Key::minus, kNone}}, always, [](Editor& e) { e.zoom(1 / kZoomStep); }}),
-      in_race({"view.fit", "View", "Fit all", {{Key::home, kNone}}, has_mesh, transport<&Race::fit, &Editor::fit_all>}),
-      {"view.fit_selection", "View", "Fit selection", {{Key::f, kNone}}, has_mesh, call<&Editor::fit_selection>},
-      {"view.actual_size", "View", "100 %", {{Key::digit_0, kControl}}, always, call<&Editor::actual_size>},
-      {"view.remesh_diff", "View", "Rest and deformed side by side", {{Key::d, kNone}}, has_mesh, call<&Editor::toggle_remesh_diff>, is_diff_shown},
-      {"view.link_panes", "View", "Move both sides together", {{Key::d, kShift}}, is_diff_shown, call<&Editor::toggle_link>, is_diff_linked},
-      in_race({"view.mesh", "View", "Show the mesh", {{Key::tab, kNone}}, always, [](Editor& e) { e.show_mesh(!e.is_mesh_shown()); }, [](const Editor& e) { return e.is_mesh_shown(); }}),
+      repeating({"view.zoom_in", "View", "Zoom in", {{Key::plus, kNone}, {Key::plus, kShift}}, always, [](Editor& e) { e.view().zoom(kZoomStep); }}),
+      repeating({"view.zoom_out", "View", "Zoom out", {{Key::minus, kNone}}, always, [](Editor& e) { e.view().zoom(1 / kZoomStep); }}),
+      in_race({"view.fit", "View", "Fit all", {{Key::home, kNone}}, has_mesh, transport<&Race::fit, &CanvasView::fit_all>}),
+      {"view.fit_selection", "View", "Fit selection", {{Key::f, kNone}}, has_mesh, call<&CanvasView::fit_selection>},
+      {"view.actual_size", "View", "100 %", {{Key::digit_0, kControl}}, always, call<&CanvasView::actual_size>},
+      {"view.remesh_diff", "View", "Rest and deformed side by side", {{Key::d, kNone}}, has_mesh, call<&CanvasView::toggle_remesh_diff>, is_diff_shown},
+      {"view.link_panes", "View", "Move both sides together", {{Key::d, kShift}}, is_diff_shown, call<&CanvasView::toggle_link>, is_diff_linked},
+      in_race({"view.mesh", "View", "Show the mesh", {{Key::tab, kNone}}, always, call<&CanvasView::toggle_mesh>, [](const Editor& e) { return e.view().is_mesh_shown(); }}),
       layer<0>("view.fill"),
       layer<1>("view.wireframe"),
       layer<2>("view.boundary"),
@@ -166,9 +181,9 @@ std::vector<Command> view_commands() {
       layer<5>("view.remeshed"),
       layer<6>("view.rest"),
       in_race({"view.hide_overlays", "View", "Hide overlays while held", {{Key::h, kNone}}, always,
-               [](Editor& e) { e.hide_overlays(true); },
-               [](const Editor& e) { return e.are_overlays_hidden(); },
-               [](Editor& e) { e.hide_overlays(false); }}),
+               [](Editor& e) { e.view().hide_overlays(true); },
+               [](const Editor& e) { return e.view().are_overlays_hidden(); },
+               [](Editor& e) { e.view().hide_overlays(false); }}),
       in_race({"help.search", "Help", "Search commands\u2026", {{Key::k, kControl}}, always, ask<Request::command_search>}),
       in_race({"help.keys", "Help", "Shortcuts", {{Key::f1, kNone}}, always, ask<Request::cheat_sheet>}),
   };

@@ -2,13 +2,13 @@
 #include "app/editor/editor.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+
+#include "app/editor/commands.h"
 
 namespace foldless {
 namespace {
-
-constexpr double kNoticeSeconds = 4;
-constexpr double kErrorSeconds = 12;
 
 std::filesystem::path recent_file(const std::filesystem::path& folder) {
   return folder.empty() ? folder : folder / "recent.json";
@@ -17,148 +17,86 @@ std::filesystem::path recent_file(const std::filesystem::path& folder) {
 }  // namespace
 
 Editor::Editor(EditorOptions options)
-    : options_(std::move(options)),
-      document_(empty_document()),
-      history_(options_.history_bytes),
-      solving_(options_.wake),
-      tool_(make_idle_tool()),
-      import_(options_.wake),
-      texture_image_(options_.wake),
-      race_(options_.wake),
-      recent_(recent_file(options_.state_folder)) {
-  mark_saved();
+    : draft_(messages_, options.wake, options.history_bytes),
+      race_(options.wake),
+      view_(draft_, messages_),
+      playback_(draft_, race_, messages_),
+      edits_(draft_),
+      files_({draft_, view_, race_, messages_}, recent_file(options.state_folder), options.wake),
+      stuck_(draft_, messages_),
+      input_(*this) {
+  draft_.on_interrupt([this] { return input_.cancel_gesture(); });
 }
 
 Editor::~Editor() = default;
 
-void Editor::resize(int width, int height, double ui_scale) {
-  if (width == canvas_.width && height == canvas_.height && ui_scale == canvas_.ui_scale) return;
-  canvas_.width = std::max(width, 1);
-  canvas_.height = std::max(height, 1);
-  canvas_.ui_scale = ui_scale;
-  view_.ui_scale = ui_scale;
-  remesh_diff_.resize(canvas_);
-  if (needs_fit_) fit_all();
-  redraw();
+void Editor::receive(const InputEvent& event, double now) {
+  messages_.tick(now);
+  input_.receive(event);
 }
 
 bool Editor::update(double now) {
-  now_ = now;
-  if (std::erase_if(toasts_, [now](const Toast& t) { return t.until <= now; }) > 0) redraw();
-  if (std::exchange(targets_moved_, false)) solving_.move_targets(document_);
-  if (solving_.poll()) {
-    take_newest();
-    redraw();
-  }
-  update_import();
-  follow_texture();
-  if (race_.update(now)) redraw();
-  const bool rests =
-      !solving_.is_running() && !is_editing() && !scrubbed_ && !race_.is_open() && !proof_.folds();
-  if (stuck_.follow(document_, rests)) redraw();
-  return std::exchange(needs_redraw_, false);
+  messages_.tick(now);
+  draft_.update();
+  files_.update();
+  if (race_.update(now)) messages_.redraw();
+  stuck_.update(!playback_.is_solving() && !draft_.is_editing() && !draft_.look_back() &&
+                !race_.is_open() && !draft_.proof().folds());
+  return messages_.take_redraw();
 }
 
 std::optional<double> Editor::next_wake() const {
-  std::optional<double> next = race_.next_wake();
-  for (const Toast& toast : toasts_) next = std::min(next.value_or(toast.until), toast.until);
-  return next;
-}
-
-void Editor::take_newest() {
-  document_.standing = solving_.standing();
-  const auto& newest = solving_.newest();
-  if (!newest || newest == taken_) return;
-  taken_ = newest;
-  const auto pose = adopted_pose(newest, *document_.pose);
-  folded_ = pose->is_valid() ? nullptr : pose;
-  if (pose->is_valid()) document_.pose = pose;
-  refresh_shown();
-}
-
-void Editor::refresh_shown() {
-  redraw();
-  const auto& newest = folded_ ? folded_ : document_.pose;
-  if (document_.is_empty()) {
-    shown_ = nullptr;
-  } else if (old_pose_) {
-    shown_ = old_pose_;
-  } else if (newest->handles == document_.handles) {
-    shown_ = newest;
-  } else {
-    auto with_handles = std::make_shared<Snapshot>(*newest);
-    with_handles->handles = document_.handles;
-    shown_ = std::move(with_handles);
-  }
-  refresh_proof();
-}
-
-void Editor::refresh_proof() {
-  const auto pose = old_pose_ ? old_pose_ : folded_ ? folded_ : document_.pose;
-  if (pose == proved_) return;
-  proved_ = pose;
-  proof_ = pose ? proof_of(*pose) : Proof{};
-}
-
-ViewOptions Editor::shown_view() const {
-  ViewOptions view = view_;
-  view.layers.remeshed = view.layers.remeshed || remesh_diff_.is_shown();
-  if (overlays_hidden_) {
-    const bool fill = view.layers.fill;
-    view.layers = {};
-    for (const LayerRow& row : kLayerRows) view.layers.*row.shown = false;
-    view.layers.fill = fill;
-  }
-  return view;
-}
-
-std::vector<HandleView> Editor::handle_views() const {
-  std::vector<HandleView> views;
-  if (!shown_) return views;
-  const double tolerance = target_tolerance(document_);
-  for (const Handle& handle : shown_->handles) {
-    HandleView view{handle.id, handle.vertex, handle.kind};
-    view.position = shown_->deformed.col(handle.vertex);
-    view.target = handle.target;
-    view.residual = (view.target - view.position).norm();
-    view.is_at_target = view.residual <= tolerance;
-    view.is_selected = selection_.contains(handle.id);
-    view.is_hovered = hovered_ == handle.id;
-    views.push_back(view);
-  }
-  return views;
-}
-
-std::string Editor::title() const {
-  const std::string name = path_.empty() ? document_.name : path_.filename().string();
-  return (is_dirty() ? "\u25cf " : "") + (name.empty() ? "Untitled" : name);
+  const std::optional<double> race = race_.next_wake();
+  const std::optional<double> toast = messages_.next_wake();
+  return race && toast ? std::min(race, toast) : race ? race : toast;
 }
 
 bool Editor::run_command(std::string_view name) {
   const Command* command = find_command(name);
   if (!command || !is_available(*command, *this)) return false;
   command->run(*this);
-  redraw();
+  messages_.redraw();
   return true;
 }
 
-void Editor::request(Request request) {
-  requests_.push_back(request);
-  redraw();
+void Editor::escape() {
+  if (files_.image_import().is_open()) return files_.close_import();
+  if (race_.is_open()) return toggle_race();
+  if (input_.cancel_gesture()) return;
+  if (playback_.is_solving()) return playback_.stop();
+  if (draft_.look_back()) return draft_.look_at_newest();
+  selection().select_none();
 }
 
-std::vector<Request> Editor::take_requests() { return std::exchange(requests_, {}); }
-
-void Editor::toast(ToastKind kind, std::string text) {
-  std::erase_if(toasts_, [&](const Toast& t) { return t.text == text; });
-  const double seconds = kind == ToastKind::error ? kErrorSeconds : kNoticeSeconds;
-  toasts_.push_back({next_toast_++, kind, std::move(text), now_ + seconds});
-  redraw();
+void Editor::toggle_race() {
+  draft_.interrupt();
+  if (race_.is_open())
+    race_.close();
+  else if (!document().handles.empty())
+    race_.open(document());
+  messages_.redraw();
 }
 
-void Editor::dismiss_toast(int id) {
-  std::erase_if(toasts_, [id](const Toast& t) { return t.id == id; });
-  redraw();
+void Editor::use_race_lane(std::size_t index) {
+  const RaceLane& lane = *race_.lanes().at(index);
+  if (lane.proof().folds())
+    return messages_.toast(ToastKind::error,
+                           "That map folds; the editor keeps to maps that do not.");
+  draft_.begin_edit();
+  Document document = draft_.document();
+  document.pose = adopted_pose(lane.shown(), *document.pose);
+  document.handles = lane.shown()->handles;
+  document.parameters = lane.parameters();
+  document.standing = {};
+  document.standing.satisfied = lane.is_at_targets();
+  if (lane.is_at_end()) {
+    document.standing.outcome = lane.outcome();
+    document.standing.verdict = lane.verdict();
+  }
+  const std::string label = "Use the result of " + lane.title();
+  draft_.replace(document);
+  race_.close();
+  draft_.commit(label);
 }
 
 }  // namespace foldless

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/editor_input.h"
+
 #include <cmath>
 #include <utility>
 
@@ -13,45 +15,47 @@ constexpr double kTapSeconds = 0.4;
 
 }  // namespace
 
-void Editor::receive(const InputEvent& event, double now) {
-  now_ = now;
+EditorInput::EditorInput(Editor& editor) : editor_(editor), tool_(make_idle_tool()) {}
+
+void EditorInput::receive(const InputEvent& event) {
   std::visit([this](const auto& e) { on(e); }, event);
 }
 
-void Editor::take_over(std::unique_ptr<Tool> next) {
+void EditorInput::take_over(std::unique_ptr<Tool> next) {
   if (next) tool_ = std::move(next);
-  redraw();
+  editor_.messages().redraw();
 }
 
-void Editor::on(const PointerPressed& event) {
+void EditorInput::on(const PointerPressed& event) {
   pointer_ = event.position;
   if (space_ && event.button == Button::left) space_->has_panned = true;
-  take_over(tool_->press(*this, event));
+  take_over(tool_->press(editor_, event));
 }
 
-void Editor::on(const PointerMoved& event) {
+void EditorInput::on(const PointerMoved& event) {
   pointer_ = event.position;
   const bool was_idle = tool_->is_idle();
-  auto next = tool_->move(*this, event);
+  auto next = tool_->move(editor_, event);
   if (!was_idle || next) take_over(std::move(next));
 }
 
-void Editor::on(const PointerReleased& event) {
+void EditorInput::on(const PointerReleased& event) {
   pointer_ = event.position;
-  take_over(tool_->release(*this, event));
+  take_over(tool_->release(editor_, event));
 }
 
-void Editor::on(const PointerLeft&) { set_hovered(std::nullopt); }
+void EditorInput::on(const PointerLeft&) { editor_.draft().selection().hover(std::nullopt); }
 
-void Editor::on(const WheelTurned& event) {
+void EditorInput::on(const WheelTurned& event) {
   const double factor = std::pow(kZoomPerNotch, event.notches);
-  set_camera(zoomed_about(canvas_.camera, canvas_.size(), {event.position.x(), event.position.y()},
-                          factor));
+  const Canvas& canvas = editor_.canvas();
+  const glm::dvec2 at{event.position.x(), event.position.y()};
+  editor_.view().set_camera(zoomed_about(canvas.camera, canvas.size(), at, factor));
 }
 
-void Editor::on(const KeyPressed& event) {
+void EditorInput::on(const KeyPressed& event) {
   if (event.key == Key::space && event.modifiers == Modifiers{}) {
-    if (!event.is_repeat) space_ = SpaceKey{now_, false};
+    if (!event.is_repeat) space_ = SpaceKey{editor_.messages().now(), false};
     return;
   }
   const Command* command = find_command(Shortcut{event.key, event.modifiers});
@@ -60,37 +64,39 @@ void Editor::on(const KeyPressed& event) {
     held_command_ = command;
     held_key_ = event.key;
   }
-  run_command(command->name);
+  editor_.run_command(command->name);
 }
 
-void Editor::on(const KeyReleased& event) {
+void EditorInput::on(const KeyReleased& event) {
   if (event.key == Key::space && space_) {
     const SpaceKey space = *std::exchange(space_, std::nullopt);
-    if (!space.has_panned && now_ - space.since < kTapSeconds) run_command("solve.toggle");
+    if (!space.has_panned && editor_.messages().now() - space.since < kTapSeconds)
+      editor_.run_command("solve.toggle");
   }
   if (held_command_ && event.key == held_key_) {
-    std::exchange(held_command_, nullptr)->release(*this);
-    redraw();
+    std::exchange(held_command_, nullptr)->release(editor_);
+    editor_.messages().redraw();
   }
 }
 
-void Editor::on(const FilesDropped& event) {
-  if (!event.paths.empty()) drop(event.paths.front());
+void EditorInput::on(const FilesDropped& event) {
+  if (!event.paths.empty()) editor_.files().drop(event.paths.front());
 }
 
-void Editor::on(const FocusLost&) {
+void EditorInput::on(const FocusLost&) {
   space_.reset();
-  if (held_command_) std::exchange(held_command_, nullptr)->release(*this);
+  if (held_command_) std::exchange(held_command_, nullptr)->release(editor_);
   for (const Button button : {Button::left, Button::right, Button::middle})
     on(PointerReleased{button, pointer_, {}});
-  set_hovered(std::nullopt);
+  editor_.draft().selection().hover(std::nullopt);
 }
 
-void Editor::cancel_gesture() {
-  if (tool_->is_idle()) return;
+bool EditorInput::cancel_gesture() {
+  if (is_idle()) return false;
   const auto tool = std::exchange(tool_, make_idle_tool());
-  tool->cancel(*this);
-  redraw();
+  tool->cancel(editor_);
+  editor_.messages().redraw();
+  return true;
 }
 
 }  // namespace foldless

@@ -12,7 +12,7 @@ namespace {
 constexpr double kMostDepth = 1000;
 
 void shift_depth(Editor& editor, const char* label, double by) {
-  editor.change_selected(label, [by](Handle& handle) {
+  editor.edits().change_selected(label, [by](Handle& handle) {
     handle.depth = std::clamp(handle.depth + by, -kMostDepth, kMostDepth);
   });
 }
@@ -22,7 +22,7 @@ void shift_depth(Editor& editor, const char* label, double by) {
 SelectedDepth selected_depth(const Editor& editor) {
   SelectedDepth selected;
   for (const Handle& handle : editor.document().handles) {
-    if (!editor.selection().contains(handle.id)) continue;
+    if (!editor.selection().ids().contains(handle.id)) continue;
     const bool is_first = !selected.is_there;
     selected.is_there = true;
     if (is_first)
@@ -39,7 +39,7 @@ void send_back(Editor& editor) { shift_depth(editor, "Send back", -1); }
 void set_depth(Editor& editor, double depth) {
   if (!std::isfinite(depth)) return;
   depth = std::clamp(depth, -kMostDepth, kMostDepth);
-  editor.change_selected("Depth", [depth](Handle& handle) { handle.depth = depth; });
+  editor.edits().change_selected("Depth", [depth](Handle& handle) { handle.depth = depth; });
 }
 
 }  // namespace foldless

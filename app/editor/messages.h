@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
-
-#include "core/mesh/triangle.h"
-#include "core/snapshot.h"
 
 namespace foldless {
 
-/// What the editor wants its surroundings to do; they take it with Editor::take_requests().
+/// What the editor wants its surroundings to do; they take it with
+/// Messages::take_requests().
 enum class Request {
-  open_dialog,   ///< ask for a file, then Editor::open
-  image_dialog,  ///< ask for an image, then Editor::open
-  save_dialog,  ///< ask for a path, then Editor::save_as or, when dismissed, Editor::answer(cancel)
-  texture_dialog,  ///< ask for an image, then Editor::set_texture
+  open_dialog,     ///< ask for a file, then DocumentFiles::open
+  image_dialog,    ///< ask for an image, then DocumentFiles::open
+  save_dialog,     ///< ask for a path, then its save_as or, when dismissed, its answer(cancel)
+  texture_dialog,  ///< ask for an image, then DocumentEdits::set_texture
   write_snapshot,  ///< a numbered PNG at once
   export_dialog,   ///< ask how to export
   export_again,    ///< export as last time
@@ -39,35 +35,35 @@ struct Toast {
   double until = 0;  ///< when it goes away [s]
 };
 
-/// What waits for the question about unsaved changes.
-enum class PendingKind { new_document, open, close };
-struct PendingAction {
-  PendingKind kind = PendingKind::new_document;
-  std::filesystem::path path;  ///< to open
-  bool is_sample = false;      ///< to be saved elsewhere
-};
-enum class Answer { save, discard, cancel };
+/// What an editor says to its surroundings: requests, toasts, and that the picture is out of date.
+/// Has the editor's clock, as toasts go away by it.
+class Messages {
+ public:
+  /// Moves the clock on; toasts whose time has come go away. [s]
+  void tick(double now);
+  double now() const { return now_; }
 
-enum class StatusKind { empty, ready, solving, converged, stopped, blocked, paused, failed };
+  void request(Request request);
+  /// What the surroundings should do, oldest first; each is given once.
+  std::vector<Request> take_requests();
 
-/// What the solver does, in words: "Solving 12/1000", "Converged", "Blocked: …".
-struct Status {
-  StatusKind kind = StatusKind::empty;
-  std::string words;
-  double residual = 0;  ///< largest distance of a handle from its target [length]
-};
+  void toast(ToastKind kind, std::string text);
+  void dismiss_toast(int id);
+  const std::vector<Toast>& toasts() const { return toasts_; }
+  /// When the next toast goes away, if there is one. [s]
+  std::optional<double> next_wake() const;
 
-/// A handle as it is drawn.
-struct HandleView {
-  int id = 0;
-  int vertex = 0;
-  HandleKind kind = HandleKind::drag;
-  Vec2 position = Vec2::Zero();  ///< where it is
-  Vec2 target = Vec2::Zero();    ///< where it should be
-  double residual = 0;           ///< distance between the two [length]
-  bool is_at_target = true;      ///< false: draw ring, line and distance
-  bool is_selected = false;
-  bool is_hovered = false;
+  /// Something on screen may have changed.
+  void redraw() { needs_redraw_ = true; }
+  /// Whether it was said since the last call.
+  bool take_redraw();
+
+ private:
+  double now_ = 0;
+  std::vector<Request> requests_;
+  std::vector<Toast> toasts_;
+  int next_toast_ = 1;
+  bool needs_redraw_ = true;
 };
 
 }  // namespace foldless

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/editor/canvas.h"
-#include "app/editor/messages.h"
 #include "app/editor/race_lane.h"
+#include "app/editor/status.h"
 
 namespace foldless {
 

@@ -63,7 +63,7 @@ void CanvasInput::route(const InputEvent& event, Editor& editor, double time) {
         }
       },
       event);
-  cursor_ = editor.hovered() && pointer_ ? CursorShape::hand : CursorShape::arrow;
+  cursor_ = editor.selection().hovered() && pointer_ ? CursorShape::hand : CursorShape::arrow;
 }
 
 }  // namespace foldless

@@ -52,7 +52,7 @@ std::string short_number(double value) {
 }
 
 void draw_distances(const Editor& editor, const CanvasBrush& brush, const Look& look) {
-  for (const HandleView& handle : editor.handle_views()) {
+  for (const HandleView& handle : handle_views(editor.draft())) {
     if (handle.is_at_target) continue;
     const Vec2 target = editor.canvas().to_pixel(handle.target);
     const Vec2 position = editor.canvas().to_pixel(handle.position);
@@ -82,8 +82,8 @@ void draw_heat_notes(Editor& editor, const PanelContext& context, const CanvasBr
   if (!state.heat_range) return;
   const Snapshot& snapshot = *editor.shown();
   if (state.pointer) {
-    const auto under =
-        triangle_at(snapshot, editor.canvas().to_world(*state.pointer), editor.paint_order());
+    const auto under = triangle_at(snapshot, editor.canvas().to_world(*state.pointer),
+                                   editor.draft().paint_order());
     if (under) state.hovered_heat = heat_of(snapshot, state.heat_range->measure, *under);
   }
   if (state.heat_range->triangle_at_max >= snapshot.triangles->cols()) return;
@@ -102,7 +102,7 @@ void draw_sample_buttons(Editor& editor, const PanelContext& context) {
   if (!ImGui::BeginTable("samples", 2)) return;
   for (const Sample& sample : samples) {
     ImGui::TableNextColumn();
-    if (ImGui::Button(sample.title.c_str(), {-1, 0})) editor.open_sample(sample.path);
+    if (ImGui::Button(sample.title.c_str(), {-1, 0})) editor.files().open_sample(sample.path);
     tooltip(sample.description, look);
   }
   ImGui::EndTable();
@@ -154,7 +154,7 @@ void draw_import_overlay(const Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   const Rectangle place = image_preview_place(context.layout, look.scale);
   const CanvasBrush brush{*ImGui::GetBackgroundDrawList(), place};
-  draw_description(import_words(editor.image_import()), brush, look);
+  draw_description(import_words(editor.files().image_import()), brush, look);
 }
 
 void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
@@ -164,10 +164,11 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   const CanvasBrush brush{list, canvas};
   list.PushClipRect({canvas.x, canvas.y}, {canvas.x + canvas.width, canvas.y + canvas.height});
   draw_heat_notes(editor, context, brush);
-  if (editor.shown_view().layers.handles) draw_distances(editor, brush, context.look);
-  if (!editor.is_editing() && !editor.are_overlays_hidden() && !editor.remesh_diff().is_shown())
+  if (editor.view().shown_options().layers.handles) draw_distances(editor, brush, context.look);
+  if (!editor.draft().is_editing() && !editor.view().are_overlays_hidden() &&
+      !editor.view().remesh_diff().is_shown())
     draw_description(editor.document().description, brush, context.look);
-  if (const auto band = editor.band()) draw_band(*band, brush, context.look);
+  if (const auto band = editor.input().band()) draw_band(*band, brush, context.look);
   list.PopClipRect();
 }
 

@@ -20,15 +20,15 @@ std::string exact_words(double value) {
 
 SceneView scene_view(const Editor& editor, int x, int y) {
   const Canvas& canvas = editor.canvas();
-  const auto& selection = editor.selection();
+  const auto& selection = editor.selection().ids();
   return {{x, y, canvas.width, canvas.height},
           canvas.camera,
           {selection.begin(), selection.end()},
-          editor.hovered()};
+          editor.selection().hovered()};
 }
 
 Layers exported_layers(const Editor& editor) {
-  Layers layers = editor.shown_view().layers;
+  Layers layers = editor.view().shown_options().layers;
   if (!editor.document().texture.empty()) layers.handles = false;
   return layers;
 }
@@ -41,7 +41,7 @@ Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureO
   view.camera.pixels_per_unit *= options.factor;
   view.selected.clear();
   view.hovered.reset();
-  ViewOptions style = editor.shown_view();
+  ViewOptions style = editor.view().shown_options();
   style.layers = options.layers;
   style.ui_scale *= options.factor;
   if (options.is_transparent) style.background = Background::transparent;
@@ -53,10 +53,11 @@ Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureO
 
 ImageTexts picture_texts(const Editor& editor) {
   const Document& document = editor.document();
-  ImageTexts texts{{"Software", "Foldless"},
-                   {"Scene", editor.path().empty() ? document.name : editor.path().string()},
-                   {"Method", document.parameters.method},
-                   {"Distortion", std::string(document.energy->name)}};
+  ImageTexts texts{
+      {"Software", "Foldless"},
+      {"Scene", editor.files().path().empty() ? document.name : editor.files().path().string()},
+      {"Method", document.parameters.method},
+      {"Distortion", std::string(document.energy->name)}};
   if (const auto& snapshot = editor.shown(); snapshot && snapshot->iteration) {
     texts["Iteration"] = std::to_string(snapshot->iteration->updates);
     texts["Energy"] = exact_words(snapshot->iteration->energy);

@@ -8,21 +8,21 @@
 namespace foldless {
 void draw_unsaved_question(Editor& editor, const PanelContext& context) {
   const char* id = "##unsaved";
-  const bool is_asked = editor.question() != nullptr && !context.state.browser.is_open();
+  const bool is_asked = editor.files().question() != nullptr && !context.state.browser.is_open();
   if (is_asked && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
   const Look& look = context.look;
   if (!begin_dialog(id, look)) return;
   if (!is_asked) ImGui::CloseCurrentPopup();
   title_text("Save the changes?", look);
-  const std::string name =
-      editor.path().empty() ? "This scene has never been saved." : editor.path().string();
+  const std::string name = editor.files().path().empty() ? "This scene has never been saved."
+                                                         : editor.files().path().string();
   dim_text(name, look);
   ImGui::Spacing();
-  if (main_button("Save", look) || is_pressed(ImGuiKey_Enter)) editor.answer(Answer::save);
+  if (main_button("Save", look) || is_pressed(ImGuiKey_Enter)) editor.files().answer(Answer::save);
   ImGui::SameLine();
-  if (ImGui::Button("Discard the changes")) editor.answer(Answer::discard);
+  if (ImGui::Button("Discard the changes")) editor.files().answer(Answer::discard);
   ImGui::SameLine();
-  if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) editor.answer(Answer::cancel);
+  if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) editor.files().answer(Answer::cancel);
   end_dialog();
 }
 

@@ -37,7 +37,7 @@ void draw_row(const HandleView& handle, Editor& editor, const PanelContext& cont
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushID(handle.id);
   const bool clicked = ImGui::Selectable("##handle", handle.is_selected);
-  if (ImGui::IsItemHovered()) editor.set_hovered(handle.id);
+  if (ImGui::IsItemHovered()) editor.selection().hover(handle.id);
   ImGui::PopID();
   const float line = ImGui::GetTextLineHeight();
   draw_kind(handle.kind, {corner.x + look.px(8), corner.y + line / 2}, look, handle.is_at_target);
@@ -51,9 +51,10 @@ void draw_row(const HandleView& handle, Editor& editor, const PanelContext& cont
                packed(handle.is_at_target ? look.palette->dim : look.palette->warning),
                residual.c_str());
   if (!clicked) return;
-  std::set<int> selection = context.state.modifiers.shift ? editor.selection() : std::set<int>{};
+  std::set<int> selection =
+      context.state.modifiers.shift ? editor.selection().ids() : std::set<int>{};
   if (!selection.erase(handle.id)) selection.insert(handle.id);
-  editor.select(std::move(selection));
+  editor.selection().select(std::move(selection));
 }
 
 /// A typed number counts with Enter: a click elsewhere may select other handles at once.
@@ -78,7 +79,7 @@ void draw_depth(Editor& editor, const Look& look) {
 }  // namespace
 
 void draw_handles_panel(Editor& editor, const PanelContext& context) {
-  const auto handles = editor.handle_views();
+  const auto handles = handle_views(editor.draft());
   if (handles.empty()) {
     ImGui::PushTextWrapPos(0);
     dim_text("Click on the mesh to place one, drag to bend.", context.look);

@@ -4,17 +4,20 @@
 namespace foldless {
 
 std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
-  if (editor.image_import().is_open())
+  if (editor.files().image_import().is_open())
     return "Enter makes the mesh · Esc leaves everything as it was";
   if (editor.document().is_empty()) return "Drop an image, a mesh or a scene here, or press Ctrl+O";
   if (editor.race().is_open())
     return "Space pauses all lanes · . goes on by one · wheel zooms, drag moves · Esc closes";
-  if (editor.scrubbed()) return "Enter goes on from this iteration · Esc returns to the newest";
-  if (editor.is_editing()) return "Release to set the target · Esc takes the drag back";
-  if (editor.band()) return "Release to select · Shift adds · Ctrl takes away · Esc cancels";
+  if (editor.playback().scrubbed())
+    return "Enter goes on from this iteration · Esc returns to the newest";
+  if (editor.draft().is_editing()) return "Release to set the target · Esc takes the drag back";
+  if (editor.input().band())
+    return "Release to select · Shift adds · Ctrl takes away · Esc cancels";
   if (modifiers.control) return "Ctrl+drag takes away from the selection · Ctrl+K finds commands";
   if (modifiers.shift) return "Shift+click adds to the selection · Shift+drag adds a box";
-  if (editor.hovered()) return "Drag to bend · Delete removes what is selected · Shift adds";
+  if (editor.selection().hovered())
+    return "Drag to bend · Delete removes what is selected · Shift adds";
   return "Click places a handle, drag bends · wheel zooms, middle drag pans · F1 all keys";
 }
 

@@ -10,7 +10,7 @@ namespace foldless {
 
 void draw_history_panel(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
-  const History& history = editor.history();
+  const History& history = editor.draft().history();
   const auto& steps = history.steps();
   const float row = ImGui::GetTextLineHeightWithSpacing();
   const float height = std::min(row * static_cast<float>(steps.size()) + look.px(4), look.px(200));
@@ -26,7 +26,7 @@ void draw_history_panel(Editor& editor, const PanelContext& context) {
     if (i == history.current() && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
   }
   ImGui::EndChild();
-  if (chosen) editor.jump_to_step(*chosen);
+  if (chosen) editor.draft().jump_to_step(*chosen);
 }
 
 }  // namespace foldless

@@ -80,7 +80,7 @@ void draw_presets(const ImportedImage& image, ImageMeshOptions& options) {
 }
 
 void draw_options(Editor& editor, const Look& look) {
-  ImageImport& import = editor.image_import();
+  ImageImport& import = editor.files().image_import();
   if (!import.image()) return dim_text("Reading the image…", look);
   const AlphaMap& alpha = import.image()->alpha;
   dim_text(std::to_string(alpha.width) + " × " + std::to_string(alpha.height) + " pixels", look);
@@ -128,14 +128,14 @@ bool is_struck(ImGuiKey key) {
 }
 
 void draw_buttons(Editor& editor, const Look& look) {
-  const bool has_problem = !editor.image_import().problem().empty();
+  const bool has_problem = !editor.files().image_import().problem().empty();
   ImGui::BeginDisabled(has_problem);
   const bool takes = main_button("Make the mesh", look);
   ImGui::EndDisabled();
   ImGui::SameLine();
   const bool leaves = ImGui::Button("Cancel");
-  if (takes || (!has_problem && is_struck(ImGuiKey_Enter))) return editor.take_image();
-  if (leaves || is_struck(ImGuiKey_Escape)) editor.close_import();
+  if (takes || (!has_problem && is_struck(ImGuiKey_Enter))) return editor.files().take_image();
+  if (leaves || is_struck(ImGuiKey_Escape)) editor.files().close_import();
 }
 
 bool begin(const char* id, const PanelContext& context) {
@@ -156,7 +156,7 @@ bool begin(const char* id, const PanelContext& context) {
 
 void draw_image_dialog(Editor& editor, const PanelContext& context) {
   const char* id = "##image";
-  const bool is_open = editor.image_import().is_open() && !editor.question();
+  const bool is_open = editor.files().image_import().is_open() && !editor.files().question();
   // The preview beside it is looked at, other dialogs darken what they cover.
   ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w = is_open ? 0 : kDimmed;
   if (is_open && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
@@ -164,12 +164,12 @@ void draw_image_dialog(Editor& editor, const PanelContext& context) {
   if (!is_open) ImGui::CloseCurrentPopup();
   const Look& look = context.look;
   title_text("New from an image", look);
-  dim_text(editor.image_import().file().filename().string(), look);
+  dim_text(editor.files().image_import().file().filename().string(), look);
   // In a low window the options scroll, the buttons stay.
   ImGui::BeginChild("options", {0, -ImGui::GetFrameHeightWithSpacing()});
   draw_options(editor, look);
   ImGui::Spacing();
-  draw_result(editor.image_import(), look);
+  draw_result(editor.files().image_import(), look);
   ImGui::EndChild();
   if (is_open) draw_buttons(editor, look);
   ImGui::EndPopup();

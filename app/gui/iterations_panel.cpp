@@ -9,16 +9,17 @@ namespace foldless {
 namespace {
 
 void draw_row(std::size_t index, Editor& editor, const PanelContext& context) {
-  const Iteration& record = editor.iterations()[index];
+  const Iteration& record = editor.playback().iterations()[index];
   const Look& look = context.look;
-  const bool is_last = index + 1 == editor.iterations().size();
-  const bool is_shown = editor.scrubbed() ? *editor.scrubbed() == index : is_last;
+  const bool is_last = index + 1 == editor.playback().iterations().size();
+  const bool is_shown =
+      editor.playback().scrubbed() ? *editor.playback().scrubbed() == index : is_last;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(static_cast<int>(index));
   if (ImGui::Selectable("##row", is_shown, ImGuiSelectableFlags_SpanAllColumns) &&
-      editor.can_scrub())
-    editor.scrub(index);
+      editor.playback().can_scrub())
+    editor.playback().scrub(index);
   ImGui::PopID();
   ImGui::SameLine(0, 0);
   ImGui::Text("%zu", index + 1);
@@ -29,7 +30,7 @@ void draw_row(std::size_t index, Editor& editor, const PanelContext& context) {
   ImGui::TableNextColumn();
   ImGui::Text("%.2g", record.handle_error_squared);
   ImGui::TableNextColumn();
-  if (const int changed = remeshed_edges(editor.iterations(), index); changed != 0)
+  if (const int changed = remeshed_edges(editor.playback().iterations(), index); changed != 0)
     ImGui::TextColored(look.palette->accent, "%d", changed);
 }
 
@@ -47,7 +48,7 @@ void draw_header(const Look& look) {
 
 void draw_iterations_panel(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
-  const std::size_t count = editor.iterations().size();
+  const std::size_t count = editor.playback().iterations().size();
   if (count == 0) return dim_text("None since the last edit.", look);
   const float height = std::max(ImGui::GetContentRegionAvail().y - look.px(14), look.px(96));
   ImGui::PushFont(look.fonts.small);

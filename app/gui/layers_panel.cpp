@@ -49,7 +49,7 @@ void draw_checker_slider(ViewOptions& view, const Look& look) {
 }  // namespace
 
 void draw_layers_panel(Editor& editor, const PanelContext& context) {
-  ViewOptions& view = editor.view();
+  ViewOptions& view = editor.view().options();
   const ViewOptions before = view;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{context.look.px(4), context.look.px(1)});
   for (std::size_t i = 0; i < kLayerRows.size(); ++i) draw_layer_row(i, view.layers, context.look);
@@ -58,8 +58,8 @@ void draw_layers_panel(Editor& editor, const PanelContext& context) {
   if (view.layers.fill && editor.document().texture.empty())
     draw_checker_slider(view, context.look);
   if (!editor.document().texture.empty() && ImGui::Button("Back to the checkerboard", {-1, 0}))
-    editor.clear_texture();
-  if (!(view == before)) editor.redraw();
+    editor.files().clear_texture();
+  if (!(view == before)) editor.messages().redraw();
 }
 
 }  // namespace foldless

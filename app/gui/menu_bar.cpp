@@ -20,17 +20,17 @@ void draw_command(const Command& command, Editor& editor) {
 void draw_samples(Editor& editor, const PanelContext& context) {
   if (!ImGui::BeginMenu("Samples", !context.state.samples.empty())) return;
   for (const Sample& sample : context.state.samples) {
-    if (ImGui::MenuItem(sample.title.c_str())) editor.open_sample(sample.path);
+    if (ImGui::MenuItem(sample.title.c_str())) editor.files().open_sample(sample.path);
     tooltip(sample.description, context.look);
   }
   ImGui::EndMenu();
 }
 
 void draw_recent(Editor& editor) {
-  if (!ImGui::BeginMenu("Open recent", !editor.recent().empty())) return;
-  const auto recent = editor.recent();
+  if (!ImGui::BeginMenu("Open recent", !editor.files().recent().empty())) return;
+  const auto recent = editor.files().recent();
   for (const auto& path : recent)
-    if (ImGui::MenuItem(path.c_str())) editor.open(path);
+    if (ImGui::MenuItem(path.c_str())) editor.files().open(path);
   ImGui::EndMenu();
 }
 
@@ -74,7 +74,7 @@ void draw_extras(std::string_view menu, Editor& editor, const PanelContext& cont
 
 /// The name of the document in the middle of what is left of the bar.
 void draw_document_name(const Editor& editor, const PanelContext& context) {
-  const std::string title = editor.title();
+  const std::string title = editor.files().title();
   const float width = ImGui::CalcTextSize(title.c_str()).x;
   const float middle = (context.layout.menu_bar.width - width) / 2;
   if (middle < ImGui::GetCursorPosX() + context.look.px(12)) return;

@@ -32,7 +32,7 @@ std::string colour_of(std::size_t index) {
 std::vector<Series> curves_of(const Editor& editor, const ConvergenceSeries& series) {
   std::vector<Series> curves;
   if (!editor.race().is_open()) {
-    const auto& iterations = editor.iterations();
+    const auto& iterations = editor.playback().iterations();
     curves.push_back({"", values_of(series, iterations, iterations.size()), {}, colour_of(0)});
     return curves;
   }
@@ -68,7 +68,7 @@ std::string grid_of(const std::vector<std::string>& pictures) {
 
 std::string convergence_csv(const Editor& editor) {
   return editor.race().is_open() ? race_records_csv(editor.race())
-                                 : iterations_csv(editor.iterations());
+                                 : iterations_csv(editor.playback().iterations());
 }
 
 std::string convergence_svg(const Editor& editor, std::span<const bool> shown) {

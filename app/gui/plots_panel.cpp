@@ -21,7 +21,7 @@ void draw_controls(Editor& editor, const PanelContext& context) {
       ImGui::Checkbox(series[i].title.data(), &shown[i]);
     ImGui::EndPopup();
   }
-  ImGui::BeginDisabled(editor.iterations().empty());
+  ImGui::BeginDisabled(editor.playback().iterations().empty());
   ImGui::SameLine();
   if (ImGui::Button("CSV…")) editor.run_command("file.export_csv");
   tooltip("Writes every iteration with all its numbers to a file.", context.look);
@@ -39,19 +39,19 @@ void draw_plots_panel(Editor& editor, const PanelContext& context) {
   draw_controls(editor, context);
   for (std::size_t i = 0; i < series.size(); ++i) {
     if (!context.state.shown_series[i]) continue;
-    const std::array curves{
-        PlotCurve{std::string(series[i].title),
-                  values_of(series[i], editor.iterations(), editor.iterations().size()),
-                  look.palette->series[i % look.palette->series.size()]}};
+    const std::array curves{PlotCurve{
+        std::string(series[i].title),
+        values_of(series[i], editor.playback().iterations(), editor.playback().iterations().size()),
+        look.palette->series[i % look.palette->series.size()]}};
     const auto chosen = draw_plot({series[i].name.data(),
                                    series[i].title.data(),
                                    curves,
                                    series[i].is_logarithmic,
-                                   editor.scrubbed(),
+                                   editor.playback().scrubbed(),
                                    {ImGui::GetContentRegionAvail().x, look.px(72)},
                                    look.fonts.small},
                                   *look.palette);
-    if (chosen && editor.can_scrub()) editor.scrub(*chosen);
+    if (chosen && editor.playback().can_scrub()) editor.playback().scrub(*chosen);
   }
 }
 

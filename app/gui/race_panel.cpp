@@ -213,7 +213,7 @@ void draw_view(Editor& editor, std::size_t index, const RaceLayout::Lane& place,
       view_pane(("##race view " + std::to_string(index)).c_str(), place.view, race.canvas());
   if (input.camera) {
     race.set_camera(*input.camera);
-    editor.redraw();
+    editor.messages().redraw();
   }
   if (index == 0) return;
   const float x = place.view.x - look.px(1);

@@ -109,7 +109,7 @@ void draw_tools(Editor& editor, const std::optional<MeshPlace>& hovered,
                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing)) {
     draw_legend(*editor.shown(), hovered, context);
-    bool linked = editor.remesh_diff().is_linked();
+    bool linked = editor.view().remesh_diff().is_linked();
     if (ImGui::Checkbox("Linked views", &linked)) editor.run_command("view.link_panes");
     tooltip("One magnification for both sides, moved together (Shift+D).", look);
     if (ImGui::Button("Close")) editor.run_command("view.remesh_diff");
@@ -123,17 +123,17 @@ void draw_tools(Editor& editor, const std::optional<MeshPlace>& hovered,
 }  // namespace
 
 void draw_remesh_panes(Editor& editor, const PanelContext& context) {
-  if (!editor.remesh_diff().is_shown() || !editor.shown()) return;
+  if (!editor.view().remesh_diff().is_shown() || !editor.shown()) return;
   const Layout& layout = context.layout;
-  const PaneInput input = view_pane("##rest pane", layout.rest, editor.remesh_diff().pane());
-  if (input.camera) editor.set_rest_camera(*input.camera);
+  const PaneInput input = view_pane("##rest pane", layout.rest, editor.view().remesh_diff().pane());
+  if (input.camera) editor.view().set_rest_camera(*input.camera);
   const Snapshot& shown = *editor.shown();
-  const Pane rest{layout.rest, editor.remesh_diff().pane(), *shown.rest};
+  const Pane rest{layout.rest, editor.view().remesh_diff().pane(), *shown.rest};
   const Pane deformed{layout.canvas, editor.canvas(), shown.deformed};
   std::optional<MeshPlace> hovered;
   if (input.pointer)
     hovered = place_at(*shown.triangles, rest.points, rest.canvas, *input.pointer);
-  else if (context.state.pointer && !editor.is_editing())
+  else if (context.state.pointer && !editor.draft().is_editing())
     hovered = place_at(*shown.triangles, deformed.points, deformed.canvas, *context.state.pointer);
   for (const Pane& pane : {rest, deformed})
     if (hovered) draw_highlight(*hovered, pane, context.look);

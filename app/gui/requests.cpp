@@ -43,9 +43,9 @@ void open_chosen(FileRequest request, Editor& editor, UiState& state) {
   request.chosen = [&editor, &state](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
     if (is_sample(path))
-      editor.open_sample(path);
+      editor.files().open_sample(path);
     else
-      editor.open(path);
+      editor.files().open(path);
   };
   state.browser.ask(std::move(request));
 }
@@ -67,7 +67,7 @@ void ask_for_texture(Editor& editor, UiState& state) {
       open_request("Open an image as texture", {".png", ".jpg", ".jpeg", ".webp"}, editor, state);
   request.chosen = [&editor, &state](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
-    editor.set_texture(path);
+    editor.files().set_texture(path);
   };
   state.browser.ask(std::move(request));
 }
@@ -80,14 +80,14 @@ void ask_where_to_save(Editor& editor, UiState& state) {
   request.start = starting_folder(editor, state) / (suggested_name(editor) + ".json");
   request.chosen = [&editor, &state](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
-    editor.save_as(path);
+    editor.files().save_as(path);
   };
-  request.dismissed = [&editor] { editor.answer(Answer::cancel); };
+  request.dismissed = [&editor] { editor.files().answer(Answer::cancel); };
   state.browser.ask(std::move(request));
 }
 
 void order_snapshot(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder) {
-  const auto folder = editor.path().empty() && !pictures_folder.empty()
+  const auto folder = editor.files().path().empty() && !pictures_folder.empty()
                           ? pictures_folder
                           : starting_folder(editor, state);
   ExportJob job;
@@ -113,9 +113,9 @@ void ask_where_to_export(const TextExport& job, Editor& editor, UiState& state) 
     state.last_folder = path.parent_path();
     try {
       write_file_atomically(path, text());
-      editor.toast(ToastKind::notice, "Wrote " + path.string());
+      editor.messages().toast(ToastKind::notice, "Wrote " + path.string());
     } catch (const Error& error) {
-      editor.toast(ToastKind::error, error.what());
+      editor.messages().toast(ToastKind::error, error.what());
     }
   };
   state.browser.ask(std::move(request));
@@ -147,19 +147,20 @@ void export_table(Editor& editor, UiState& state) {
 
 std::filesystem::path starting_folder(const Editor& editor, const UiState& state) {
   if (!state.last_folder.empty()) return state.last_folder;
-  if (!editor.path().empty()) return std::filesystem::absolute(editor.path()).parent_path();
+  if (!editor.files().path().empty())
+    return std::filesystem::absolute(editor.files().path()).parent_path();
   std::error_code ignored;
   return std::filesystem::current_path(ignored);
 }
 
 std::string suggested_name(const Editor& editor) {
-  if (!editor.path().empty()) return editor.path().stem().string();
+  if (!editor.files().path().empty()) return editor.files().path().stem().string();
   const std::string& name = editor.document().name;
   return name.empty() ? "scene" : std::filesystem::path(name).stem().string();
 }
 
 bool handle_requests(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder) {
-  const auto requests = editor.take_requests();
+  const auto requests = editor.messages().take_requests();
   for (const Request request : requests) {
     switch (request) {
       case Request::open_dialog: ask_what_to_open(editor, state); break;

@@ -61,9 +61,9 @@ class Session {
   /// A file, or the sample that invites a drag.
   void open(const std::optional<std::filesystem::path>& file) {
     if (file)
-      editor_.open(*file);
+      editor_.files().open(*file);
     else
-      editor_.open_sample(welcome_scene());
+      editor_.files().open_sample(welcome_scene());
   }
 
   void run() {
@@ -79,12 +79,12 @@ class Session {
     if (framebuffer.width == 0 || framebuffer.height == 0) return;
     last_start_ = clock_.now();
     ui_.frame(editor_, {framebuffer, window_.size(), window_.content_scale(), last_start_});
-    window_.set_title(editor_.title() + " – Foldless");
+    window_.set_title(editor_.files().title() + " – Foldless");
     window_.set_cursor(ui_.cursor());
     const double drawn = clock_.now();
     window_.swap_buffers();
-    log_.add({last_start_, drawn - last_start_, clock_.now() - last_start_, editor_.is_editing(),
-              editor_.iterations().size()});
+    log_.add({last_start_, drawn - last_start_, clock_.now() - last_start_,
+              editor_.draft().is_editing(), editor_.playback().iterations().size()});
   }
 
   /// Sleeps until the next frame is worth drawing: the solver may wake us more often than the
@@ -102,7 +102,7 @@ class Session {
 
   void take_events() {
     for (UiEvent& event : window_.take_events()) ui_.receive(std::move(event));
-    if (window_.take_close_request()) editor_.close();
+    if (window_.take_close_request()) editor_.files().close();
   }
 
   Clock clock_;

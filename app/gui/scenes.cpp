@@ -41,8 +41,8 @@ std::optional<HeatRange> common_range(const Race& race, HeatMeasure measure) {
 }
 
 std::shared_ptr<const TextureLevels> image_of(const Editor& editor) {
-  const ImageImport& import = editor.image_import();
-  if (!import.is_open()) return editor.texture_image().image();
+  const ImageImport& import = editor.files().image_import();
+  if (!import.is_open()) return editor.files().texture_image().image();
   return import.image() ? import.image()->texture : nullptr;
 }
 
@@ -52,7 +52,7 @@ std::optional<Box> box_of(const std::optional<TextureBox>& box) {
 }
 
 std::optional<Box> place_of(const Editor& editor) {
-  const ImageImport& import = editor.image_import();
+  const ImageImport& import = editor.files().image_import();
   if (!import.is_open()) return box_of(editor.document().texture_box);
   return import.image() ? box_of(import.image()->box()) : std::nullopt;
 }
@@ -61,13 +61,13 @@ std::optional<Box> place_of(const Editor& editor) {
 
 void Scenes::draw(Editor& editor, const Layout& layout, Extent framebuffer) {
   follow_texture(editor);
-  const glm::vec4 background = canvas_colours(editor.view().theme).background;
+  const glm::vec4 background = canvas_colours(editor.view().options().theme).background;
   glViewport(0, 0, framebuffer.width, framebuffer.height);
   glDisable(GL_SCISSOR_TEST);
   glClearColor(background.r, background.g, background.b, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   heat_range_.reset();
-  if (editor.image_import().is_open())
+  if (editor.files().image_import().is_open())
     draw_import(editor, layout, framebuffer);
   else if (editor.race().is_open())
     draw_race(editor, layout, framebuffer);
@@ -77,13 +77,13 @@ void Scenes::draw(Editor& editor, const Layout& layout, Extent framebuffer) {
 
 /// The mesh as it would be, beside the dialog.
 void Scenes::draw_import(const Editor& editor, const Layout& layout, Extent framebuffer) {
-  const auto& mesh = editor.image_import().mesh();
+  const auto& mesh = editor.files().image_import().mesh();
   if (!mesh || !place_) return;
   const auto scale = static_cast<float>(editor.canvas().ui_scale);
   SceneView view;
   view.viewport = viewport_of(image_preview_place(layout, scale), framebuffer);
   view.camera = fit_to_box(*place_, {view.viewport.width, view.viewport.height}, kMargin * scale);
-  ViewOptions options = editor.view();
+  ViewOptions options = editor.view().options();
   // The outline in the colour of the rest shape, which stands out from the canvas.
   options.layers = {.boundary = false, .handles = false, .rest = true};
   canvas_.draw(*mesh->document.pose, view, options);
@@ -92,13 +92,13 @@ void Scenes::draw_import(const Editor& editor, const Layout& layout, Extent fram
 void Scenes::draw_document(const Editor& editor, const Layout& layout, Extent framebuffer) {
   const Snapshot& shown = *editor.shown();
   SceneView view = scene_view(editor, 0, 0);
-  ViewOptions options = editor.shown_view();
+  ViewOptions options = editor.view().shown_options();
   // Never the checkerboard in place of a picture that is still being read.
-  if (editor.texture_image().is_reading()) options.layers.fill = false;
-  if (editor.remesh_diff().is_shown()) {
+  if (editor.files().texture_image().is_reading()) options.layers.fill = false;
+  if (editor.view().remesh_diff().is_shown()) {
     SceneView beside = view;
     beside.viewport = viewport_of(layout.rest, framebuffer);
-    beside.camera = editor.remesh_diff().pane().camera;
+    beside.camera = editor.view().remesh_diff().pane().camera;
     options.pose = Pose::rest;
     canvas_.draw(with_targets_at_rest(shown), beside, options);
     options.pose = Pose::deformed;
@@ -114,7 +114,7 @@ void Scenes::draw_race(const Editor& editor, const Layout& layout, Extent frameb
     lanes_.push_back(std::make_unique<SceneRenderer>());
     if (image_) lanes_.back()->set_texture(*image_, place_);
   }
-  ViewOptions options = editor.shown_view();
+  ViewOptions options = editor.view().shown_options();
   options.ui_scale = race.canvas().ui_scale;
   if (options.layers.heat) heat_range_ = common_range(race, options.heat_measure);
   if (heat_range_) options.heat_scale = {heat_range_->min, heat_range_->max};
@@ -141,7 +141,7 @@ void Scenes::follow_texture(Editor& editor) {
     canvas_.set_texture(*image, place);
     for (const auto& lane : lanes_) lane->set_texture(*image, place);
   } catch (const Error& error) {
-    editor.toast(ToastKind::error, error.what());
+    editor.messages().toast(ToastKind::error, error.what());
   }
 }
 

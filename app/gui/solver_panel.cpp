@@ -86,7 +86,7 @@ void draw_choice(const ParameterRow& row, double value, Editor& editor) {
   if (!ImGui::BeginCombo("##value", row.choices[current].data())) return;
   for (std::size_t k = 0; k < row.choices.size(); ++k)
     if (ImGui::Selectable(row.choices[k].data(), k == current))
-      editor.set_parameter(row, static_cast<double>(k));
+      editor.edits().set_parameter(row, static_cast<double>(k));
   ImGui::EndCombo();
 }
 
@@ -95,12 +95,12 @@ void draw_value(const ParameterRow& row, Editor& editor, float width, const Look
   double value = row.get(document.parameters, *document.energy);
   if (row.scale == ParameterScale::on_off) {
     bool on = value != 0;
-    if (ImGui::Checkbox("##value", &on)) editor.set_parameter(row, on ? 1 : 0);
+    if (ImGui::Checkbox("##value", &on)) editor.edits().set_parameter(row, on ? 1 : 0);
     return;
   }
   ImGui::SetNextItemWidth(width);
   if (row.scale == ParameterScale::choice) return draw_choice(row, value, editor);
-  if (draw_slider(row, value, look)) editor.set_parameter(row, value);
+  if (draw_slider(row, value, look)) editor.edits().set_parameter(row, value);
 }
 
 std::string tooltip_words(const ParameterRow& row, const Parameters& parameters,
@@ -134,7 +134,7 @@ void draw_parameter(const ParameterRow& row, Editor& editor, const Look& look) {
   if (changed) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
     if (icon_button({"reset", Icon::reset, "Back to the default"}, look))
-      editor.reset_parameter(row);
+      editor.edits().reset_parameter(row);
   }
   ImGui::PopID();
 }
@@ -144,7 +144,7 @@ void draw_method_choice(Editor& editor, const Look& look) {
   ImGui::SetNextItemWidth(-1);
   if (ImGui::BeginCombo("##method", current ? current->title.data() : "Unknown method")) {
     for (const MethodRow& row : methods())
-      if (ImGui::Selectable(row.title.data(), &row == current)) editor.set_method(row.name);
+      if (ImGui::Selectable(row.title.data(), &row == current)) editor.edits().set_method(row.name);
     ImGui::EndCombo();
   }
   tooltip("The method that moves the vertices and changes the mesh.", look);
@@ -155,7 +155,7 @@ void draw_energy_choice(Editor& editor, const Look& look) {
   ImGui::SetNextItemWidth(-1);
   if (ImGui::BeginCombo("##energy", current->title.data())) {
     for (const Density& row : densities())
-      if (ImGui::Selectable(row.title.data(), &row == current)) editor.set_energy(row);
+      if (ImGui::Selectable(row.title.data(), &row == current)) editor.edits().set_energy(row);
     ImGui::EndCombo();
   }
   tooltip("The energy: what counts as distortion of a triangle.", look);

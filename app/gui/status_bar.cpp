@@ -79,7 +79,8 @@ void draw_status_bar(Editor& editor, const PanelContext& context) {
   if (ImGui::Begin("##status", nullptr, kStatusBarFlags)) {
     draw_status(editor.race().is_open() ? editor.race().status() : editor.status(), look);
     const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
-    if (has_badge(editor)) draw_proof_badge(editor.proof(), place.width - left - look.px(24), look);
+    if (has_badge(editor))
+      draw_proof_badge(editor.draft().proof(), place.width - left - look.px(24), look);
     draw_hint(editor, context, left + look.px(24));
   }
   ImGui::End();

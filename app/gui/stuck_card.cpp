@@ -112,8 +112,8 @@ void draw_card(Editor& editor, const StuckHandle& handle, const PanelContext& co
 }  // namespace
 
 void draw_stuck_card(Editor& editor, const PanelContext& context) {
-  const StuckHandle* current = editor.stuck_handle();
-  if (!current || editor.are_overlays_hidden()) return;
+  const StuckHandle* current = editor.stuck().handle();
+  if (!current || editor.view().are_overlays_hidden()) return;
   const Rectangle& canvas = context.layout.canvas;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect({canvas.x, canvas.y}, {canvas.x + canvas.width, canvas.y + canvas.height});

@@ -26,7 +26,7 @@ void draw_transport(Editor& editor, const Look& look) {
   command_icon("solve.first", Icon::first, editor, look);
   command_icon("solve.back", Icon::back, editor, look);
   const bool is_solving =
-      editor.race().is_open() ? editor.race().is_playing() : editor.is_solving();
+      editor.race().is_open() ? editor.race().is_playing() : editor.playback().is_solving();
   ImGui::BeginDisabled(editor.document().is_empty());
   if (icon_button({.id = "toggle",
                    .icon = is_solving ? Icon::pause : Icon::play,
@@ -47,20 +47,23 @@ void draw_pace(Editor& editor, const Look& look) {
     return pace ? std::to_string(static_cast<int>(*pace)) + " a second" : std::string("Full speed");
   };
   ImGui::SetNextItemWidth(look.px(108));
-  if (ImGui::BeginCombo("##pace", words(editor.pace()).c_str())) {
-    if (ImGui::Selectable("Full speed", !editor.pace())) editor.set_pace(std::nullopt);
+  if (ImGui::BeginCombo("##pace", words(editor.playback().pace()).c_str())) {
+    if (ImGui::Selectable("Full speed", !editor.playback().pace()))
+      editor.playback().set_pace(std::nullopt);
     for (const int pace : kPaces)
-      if (ImGui::Selectable(words(pace).c_str(), editor.pace() == pace)) editor.set_pace(pace);
+      if (ImGui::Selectable(words(pace).c_str(), editor.playback().pace() == pace))
+        editor.playback().set_pace(pace);
     ImGui::EndCombo();
   }
   tooltip("Pace: iterations a second, so that a solve that takes 5 ms can be watched.", look);
 }
 
 void draw_scrubber(Editor& editor, const Look& look, float width) {
-  const int count = static_cast<int>(editor.iterations().size());
+  const int count = static_cast<int>(editor.playback().iterations().size());
   ImGui::SetNextItemWidth(width);
-  ImGui::BeginDisabled(!editor.can_scrub());
-  int shown = editor.scrubbed() ? static_cast<int>(*editor.scrubbed()) + 1 : count;
+  ImGui::BeginDisabled(!editor.playback().can_scrub());
+  int shown =
+      editor.playback().scrubbed() ? static_cast<int>(*editor.playback().scrubbed()) + 1 : count;
   const std::string words =
       count == 0 ? "No iterations yet"
                  : "Iteration " + std::to_string(shown) + " of " + std::to_string(count);
@@ -68,11 +71,12 @@ void draw_scrubber(Editor& editor, const Look& look, float width) {
                         count > 1 ? ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab) : ImVec4{});
   if (ImGui::SliderInt("##iteration", &shown, std::min(1, count), std::max(count, 1), words.c_str(),
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
-    editor.scrub(static_cast<std::size_t>(std::max(shown, 1) - 1));
+    editor.playback().scrub(static_cast<std::size_t>(std::max(shown, 1) - 1));
   ImGui::PopStyleColor();
   ImGui::EndDisabled();
-  tooltip(editor.can_scrub() ? "Drag through the iterations since the last edit ( , and . step)."
-                             : "Pause or finish solving to go through its iterations.",
+  tooltip(editor.playback().can_scrub()
+              ? "Drag through the iterations since the last edit ( , and . step)."
+              : "Pause or finish solving to go through its iterations.",
           look);
 }
 
@@ -105,7 +109,7 @@ void draw_timeline_panel(Editor& editor, const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{look.px(7), look.px(4)});
   if (ImGui::Begin("##timeline", nullptr, kTimelineFlags)) {
     draw_transport(editor, look);
-    const bool has_use = editor.scrubbed().has_value();
+    const bool has_use = editor.playback().scrubbed().has_value();
     const bool has_pace = ImGui::GetContentRegionAvail().x > look.px(has_use ? 320 : 230);
     const float right = (has_pace ? look.px(114) : 0) + (has_use ? look.px(82) : 0);
     const float width = std::max(look.px(40), ImGui::GetContentRegionAvail().x - right);

@@ -35,7 +35,7 @@ float draw_toast(const Toast& toast, const ImVec2& corner, Editor& editor, const
   ImGui::End();
   ImGui::PopStyleVar(2);
   ImGui::PopStyleColor(2);
-  if (is_clicked) editor.dismiss_toast(toast.id);
+  if (is_clicked) editor.messages().dismiss_toast(toast.id);
   return height;
 }
 
@@ -45,7 +45,7 @@ void draw_toasts(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   const Rectangle& canvas = context.layout.canvas;
   ImVec2 corner{canvas.x + canvas.width - look.px(12), canvas.y + canvas.height - look.px(12)};
-  const auto toasts = editor.toasts();
+  const auto toasts = editor.messages().toasts();
   for (const Toast& toast : toasts)
     corner.y -= draw_toast(toast, corner, editor, look) + look.px(8);
 }

@@ -127,9 +127,9 @@ void Ui::Parts::carry_out(const ExportJob& job, Editor& editor) {
     } else {
       export_mesh(editor, job.path);
     }
-    editor.toast(ToastKind::notice, "Wrote " + job.path.string());
+    editor.messages().toast(ToastKind::notice, "Wrote " + job.path.string());
   } catch (const Error& error) {
-    editor.toast(ToastKind::error, error.what());
+    editor.messages().toast(ToastKind::error, error.what());
   }
 }
 
@@ -164,11 +164,11 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   ImGui::NewFrame();
   resize(editor);
   route(editor, events, spec.time);
-  editor.view().theme = p.state.settings.theme;
+  editor.view().options().theme = p.state.settings.theme;
   editor.update(spec.time);
   const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
-  const News news{editor.question() != nullptr, editor.toasts().size(),
-                  editor.image_import().is_open(), editor.image_import().is_busy()};
+  const News news{editor.files().question() != nullptr, editor.messages().toasts().size(),
+                  editor.files().image_import().is_open(), editor.files().image_import().is_busy()};
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order()) p.carry_out(*job, editor);
   p.scenes.draw(editor, p.layout, spec.framebuffer);
@@ -185,7 +185,7 @@ void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   p.follow_scale(spec);
   const bool has_race = editor.race().is_open();
   p.layout = layout_for(spec.framebuffer, p.look.scale, p.state.settings.shows_panels && !has_race);
-  if (editor.remesh_diff().is_shown() && !has_race) split_canvas(p.layout, p.look.scale);
+  if (editor.view().remesh_diff().is_shown() && !has_race) split_canvas(p.layout, p.look.scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(spec.framebuffer.width),
                     static_cast<float>(spec.framebuffer.height)};
@@ -202,9 +202,9 @@ void Ui::resize(Editor& editor) {
     editor.race().resize(static_cast<int>(view.width), static_cast<int>(view.height), p.look.scale);
     return;
   }
-  editor.resize(static_cast<int>(p.layout.canvas.width), static_cast<int>(p.layout.canvas.height),
-                p.look.scale);
-  if (std::exchange(p.scale_changed, false)) editor.fit_all();
+  editor.view().resize(static_cast<int>(p.layout.canvas.width),
+                       static_cast<int>(p.layout.canvas.height), p.look.scale);
+  if (std::exchange(p.scale_changed, false)) editor.view().fit_all();
 }
 
 void Ui::route(Editor& editor, const std::vector<UiEvent>& events, double time) {
@@ -219,7 +219,7 @@ void Ui::route(Editor& editor, const std::vector<UiEvent>& events, double time) 
 void Ui::draw_panels(Editor& editor) {
   Parts& p = *parts_;
   const PanelContext context{p.state, p.look, p.layout};
-  if (editor.image_import().is_open()) {
+  if (editor.files().image_import().is_open()) {
     draw_import_overlay(editor, context);
   } else if (editor.race().is_open()) {
     draw_race_panel(editor, context);

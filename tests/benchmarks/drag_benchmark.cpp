@@ -29,7 +29,7 @@ constexpr int kFrames = 300;
 class Stage {
  public:
   explicit Stage(int faces) : offscreen_(kSize.width, kSize.height) {
-    editor_.open_shape(disk(disk_of(faces)), "disk");
+    editor_.files().open_shape(disk(disk_of(faces)), "disk");
     for (int i = 0; i < 10; ++i) frame();
   }
 
@@ -99,7 +99,7 @@ void drag(benchmark::State& state) {
       stage.send(PointerMoved{middle + offset, {}});
       frames.push_back(stage.frame());
     }
-    iterations = stage.editor().iterations().size();
+    iterations = stage.editor().playback().iterations().size();
     stage.send(PointerReleased{Button::left, middle, {}});
     stage.frame();
   }

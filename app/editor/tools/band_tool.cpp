@@ -19,7 +19,7 @@ class BandTool final : public Tool {
 
   std::unique_ptr<Tool> move(Editor& editor, const PointerMoved& event) override {
     to_ = event.position;
-    if (!before_) before_ = editor.selection();
+    if (!before_) before_ = editor.selection().ids();
     std::set<int> selection = mode_ == BandMode::replace ? std::set<int>{} : *before_;
     for (const int id : handles_in(editor.shown().get(), editor.canvas(), *band())) {
       if (mode_ == BandMode::subtract)
@@ -27,7 +27,7 @@ class BandTool final : public Tool {
       else
         selection.insert(id);
     }
-    editor.select(std::move(selection));
+    editor.selection().select(std::move(selection));
     return nullptr;
   }
 
@@ -37,7 +37,7 @@ class BandTool final : public Tool {
   }
 
   void cancel(Editor& editor) override {
-    if (before_) editor.select(*before_);
+    if (before_) editor.selection().select(*before_);
   }
 
  private:

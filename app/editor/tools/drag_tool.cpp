@@ -17,17 +17,17 @@ class DragTool final : public Tool {
     const Vec2 by = editor.canvas().to_world(event.position) - drag_.from;
     std::vector<Target> targets = drag_.starts;
     for (Target& target : targets) target.position += by;
-    editor.apply(with_targets(editor.document(), targets), Change::targets);
+    editor.draft().apply(with_targets(editor.document(), targets), Change::targets);
     return nullptr;
   }
 
   std::unique_ptr<Tool> release(Editor& editor, const PointerReleased& event) override {
     if (event.button != Button::left) return nullptr;
-    editor.commit(drag_.label);
+    editor.draft().commit(drag_.label);
     return make_idle_tool();
   }
 
-  void cancel(Editor& editor) override { editor.abandon_edit(); }
+  void cancel(Editor& editor) override { editor.draft().abandon_edit(); }
 
  private:
   HandleDrag drag_;

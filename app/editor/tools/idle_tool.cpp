@@ -11,23 +11,23 @@ class IdleTool final : public Tool {
   bool is_idle() const override { return true; }
 
   std::unique_ptr<Tool> press(Editor& editor, const PointerPressed& event) override {
-    if (event.button != Button::left || editor.is_space_held())
+    if (event.button != Button::left || editor.input().is_space_held())
       return make_pan_tool(event.position, event.button);
     const Snapshot* shown = editor.shown().get();
     if (const auto hit = pick_handle(shown, editor.canvas(), event.position)) {
-      const bool is_selected = editor.selection().contains(hit->id);
+      const bool is_selected = editor.selection().ids().contains(hit->id);
       if (!is_selected && !event.modifiers.shift && !event.modifiers.control)
-        editor.select({hit->id});
+        editor.selection().select({hit->id});
       return make_press_tool(event, hit, true);
     }
     const bool is_on_mesh =
-        pick_mesh(shown, editor.canvas(), event.position, editor.paint_order()).has_value();
+        pick_mesh(shown, editor.canvas(), event.position, editor.draft().paint_order()).has_value();
     return make_press_tool(event, std::nullopt, is_on_mesh);
   }
 
   std::unique_ptr<Tool> move(Editor& editor, const PointerMoved& event) override {
     const auto hit = pick_handle(editor.shown().get(), editor.canvas(), event.position);
-    editor.set_hovered(hit ? std::optional(hit->id) : std::nullopt);
+    editor.selection().hover(hit ? std::optional(hit->id) : std::nullopt);
     return nullptr;
   }
 };

@@ -12,7 +12,7 @@ class PanTool final : public Tool {
   std::unique_ptr<Tool> move(Editor& editor, const PointerMoved& event) override {
     const Vec2 by = event.position - last_;
     last_ = event.position;
-    editor.set_camera(panned(editor.canvas().camera, {by.x(), by.y()}));
+    editor.view().set_camera(panned(editor.canvas().camera, {by.x(), by.y()}));
     return nullptr;
   }
 

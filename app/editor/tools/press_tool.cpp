@@ -13,8 +13,8 @@ namespace {
 /// the document changed.
 bool place_at(Editor& editor, const MeshHit& hit) {
   Placed placed = place_handle(editor.document(), hit);
-  if (placed.is_new) editor.apply(std::move(placed.document), Change::mesh);
-  editor.select({placed.id});
+  if (placed.is_new) editor.draft().apply(std::move(placed.document), Change::mesh);
+  editor.selection().select({placed.id});
   return placed.is_new;
 }
 
@@ -42,32 +42,33 @@ class PressTool final : public Tool {
   bool subtracts() const { return event_.modifiers.control; }
 
   void click(Editor& editor) {
-    std::set<int> selection = editor.selection();
+    std::set<int> selection = editor.selection().ids();
     if (handle_ && adds()) {
       if (selection.erase(handle_->id) == 0) selection.insert(handle_->id);
-      editor.select(std::move(selection));
+      editor.selection().select(std::move(selection));
     } else if (handle_ && subtracts()) {
       selection.erase(handle_->id);
-      editor.select(std::move(selection));
+      editor.selection().select(std::move(selection));
     } else if (handle_) {
-      editor.select({handle_->id});
+      editor.selection().select({handle_->id});
     } else if (!adds() && !subtracts()) {
       click_on_bare_mesh(editor);
     }
   }
 
   std::optional<MeshHit> mesh_under_press(Editor& editor) const {
-    return pick_mesh(editor.shown().get(), editor.canvas(), event_.position, editor.paint_order());
+    return pick_mesh(editor.shown().get(), editor.canvas(), event_.position,
+                     editor.draft().paint_order());
   }
 
   void click_on_bare_mesh(Editor& editor) {
     const auto hit = mesh_under_press(editor);
-    if (!is_on_mesh_ || !hit) return editor.select({});
-    editor.begin_edit();
+    if (!is_on_mesh_ || !hit) return editor.selection().select({});
+    editor.draft().begin_edit();
     if (place_at(editor, *hit))
-      editor.commit("Place handle");
+      editor.draft().commit("Place handle");
     else
-      editor.abandon_edit();
+      editor.draft().abandon_edit();
   }
 
   std::unique_ptr<Tool> begin_drag(Editor& editor) {
@@ -81,28 +82,29 @@ class PressTool final : public Tool {
   }
 
   std::unique_ptr<Tool> drag_handle(Editor& editor) {
-    if (!editor.selection().contains(handle_->id)) {
-      std::set<int> selection = editor.selection();
+    if (!editor.selection().ids().contains(handle_->id)) {
+      std::set<int> selection = editor.selection().ids();
       if (!adds()) selection.clear();
       selection.insert(handle_->id);
-      editor.select(std::move(selection));
+      editor.selection().select(std::move(selection));
     }
-    editor.begin_edit();
-    return drag_selection(editor, editor.selection().size() == 1 ? "Move handle" : "Move handles");
+    editor.draft().begin_edit();
+    return drag_selection(editor,
+                          editor.selection().ids().size() == 1 ? "Move handle" : "Move handles");
   }
 
   std::unique_ptr<Tool> place_and_drag(Editor& editor, const MeshHit& hit) {
-    editor.begin_edit();
+    editor.draft().begin_edit();
     const bool is_new = place_at(editor, hit);
     return drag_selection(editor, is_new ? "Place and move handle" : "Move handle");
   }
 
   /// A handle that was caught at its dot follows from there, all others from their targets.
   std::unique_ptr<Tool> drag_selection(Editor& editor, std::string label) {
-    editor.clear_timeline();
+    editor.draft().solving().clear_timeline();
     const Document& document = editor.document();
     HandleDrag drag{editor.canvas().to_world(event_.position), {}, std::move(label)};
-    for (const int id : editor.selection()) {
+    for (const int id : editor.selection().ids()) {
       const Handle& handle = *find_handle(document, id);
       const bool from_dot = handle_ && handle_->id == id && !handle_->is_target;
       drag.starts.push_back({id, from_dot ? position_of(document, handle) : handle.target});

@@ -52,20 +52,20 @@ TEST_F(CommandKeys, DisabledCommandsDoNothing) {
 
 TEST_F(CommandKeys, DigitsSwitchTheLayers) {
   for (std::size_t k = 0; k < kLayerRows.size(); ++k) {
-    const bool before = editor_->view().layers.*kLayerRows[k].shown;
+    const bool before = editor_->view().options().layers.*kLayerRows[k].shown;
     key(static_cast<Key>(static_cast<std::size_t>(Key::digit_1) + k));
-    EXPECT_NE(editor_->view().layers.*kLayerRows[k].shown, before) << kLayerRows[k].name;
+    EXPECT_NE(editor_->view().options().layers.*kLayerRows[k].shown, before) << kLayerRows[k].name;
   }
 }
 
 TEST_F(CommandKeys, OverlaysAreHiddenAsLongAsHIsHeld) {
-  const ViewOptions before = editor_->shown_view();
+  const ViewOptions before = editor_->view().shown_options();
   editor_->receive(KeyPressed{Key::h, {}, false}, now_);
-  EXPECT_TRUE(editor_->shown_view().layers.fill);
-  EXPECT_FALSE(editor_->shown_view().layers.wireframe);
-  EXPECT_FALSE(editor_->shown_view().layers.handles);
+  EXPECT_TRUE(editor_->view().shown_options().layers.fill);
+  EXPECT_FALSE(editor_->view().shown_options().layers.wireframe);
+  EXPECT_FALSE(editor_->view().shown_options().layers.handles);
   editor_->receive(KeyReleased{Key::h}, now_);
-  EXPECT_EQ(editor_->shown_view(), before);
+  EXPECT_EQ(editor_->view().shown_options(), before);
 }
 
 TEST_F(CommandKeys, HeldKeysRepeatOnlyWhereThatIsMeant) {
@@ -73,9 +73,9 @@ TEST_F(CommandKeys, HeldKeysRepeatOnlyWhereThatIsMeant) {
   const double before = editor_->canvas().camera.pixels_per_unit;
   editor_->receive(KeyPressed{Key::plus, {}, true}, now_);
   EXPECT_GT(editor_->canvas().camera.pixels_per_unit, before);
-  const bool wireframe = editor_->view().layers.wireframe;
+  const bool wireframe = editor_->view().options().layers.wireframe;
   editor_->receive(KeyPressed{Key::digit_2, {}, true}, now_);
-  EXPECT_EQ(editor_->view().layers.wireframe, wireframe);
+  EXPECT_EQ(editor_->view().options().layers.wireframe, wireframe);
 }
 
 TEST_F(CommandKeys, RequestsAreGivenOnce) {
@@ -83,10 +83,10 @@ TEST_F(CommandKeys, RequestsAreGivenOnce) {
   key(Key::f12);
   key(Key::e, kControl);
   key(Key::e, kControlShift);
-  EXPECT_EQ(editor_->take_requests(),
+  EXPECT_EQ(editor_->messages().take_requests(),
             (std::vector<Request>{Request::write_snapshot, Request::export_dialog,
                                   Request::export_again}));
-  EXPECT_TRUE(editor_->take_requests().empty());
+  EXPECT_TRUE(editor_->messages().take_requests().empty());
 }
 
 TEST_F(CommandKeys, ViewKeysFitAndZoom) {

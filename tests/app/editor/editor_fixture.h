@@ -43,12 +43,12 @@ class EditorTest : public ::testing::Test {
 
   void make_editor(EditorOptions options) {
     editor_ = std::make_unique<Editor>(std::move(options));
-    editor_->resize(800, 600, 1);
+    editor_->view().resize(800, 600, 1);
   }
 
   void open_grid(int n) {
     Fixture grid = square_grid(n);
-    editor_->open_shape(Shape{std::move(grid.triangles), std::move(grid.rest)}, "grid");
+    editor_->files().open_shape(Shape{std::move(grid.triangles), std::move(grid.rest)}, "grid");
   }
 
   Vec2 pixel_of(const Vec2& world) const { return editor_->canvas().to_pixel(world); }
@@ -98,7 +98,7 @@ class EditorTest : public ::testing::Test {
   void settle() {
     frame();
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (editor_->is_solving()) {
+    while (editor_->playback().is_solving()) {
       ASSERT_LT(std::chrono::steady_clock::now(), give_up) << "the solver does not come to rest";
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       frame();

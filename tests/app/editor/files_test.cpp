@@ -26,10 +26,11 @@ class Files : public EditorTest {
 
   std::filesystem::path file(std::string_view name) const { return folder_.path() / name; }
   std::string last_toast() const {
-    return editor_->toasts().empty() ? std::string() : editor_->toasts().back().text;
+    return editor_->messages().toasts().empty() ? std::string()
+                                                : editor_->messages().toasts().back().text;
   }
   bool has_request(Request request) {
-    const auto requests = editor_->take_requests();
+    const auto requests = editor_->messages().take_requests();
     return std::find(requests.begin(), requests.end(), request) != requests.end();
   }
 
@@ -43,23 +44,23 @@ TEST_F(Files, ReopenExactlyWhereTheUserLeft) {
   const Vec2 from = pixel_of_handle(id);
   drag(from, from + Vec2(-120, 90));
   settle();
-  editor_->set_camera({{1.25, 3.5}, 77});
-  editor_->view().layers.heat = true;
-  editor_->view().checker_squares = 9;
-  ASSERT_TRUE(editor_->save_as(file("scene.json"))) << last_toast();
+  editor_->view().set_camera({{1.25, 3.5}, 77});
+  editor_->view().options().layers.heat = true;
+  editor_->view().options().checker_squares = 9;
+  ASSERT_TRUE(editor_->files().save_as(file("scene.json"))) << last_toast();
   const Document saved = editor_->document();
 
   make_editor({});
-  editor_->open(file("scene.json"));
+  editor_->files().open(file("scene.json"));
   EXPECT_TRUE(is_same_content(editor_->document(), saved)) << last_toast();
   EXPECT_EQ(editor_->canvas().camera, (Camera{{1.25, 3.5}, 77}));
-  EXPECT_TRUE(editor_->view().layers.heat);
-  EXPECT_EQ(editor_->view().checker_squares, 9);
-  EXPECT_FALSE(editor_->is_dirty());
+  EXPECT_TRUE(editor_->view().options().layers.heat);
+  EXPECT_EQ(editor_->view().options().checker_squares, 9);
+  EXPECT_FALSE(editor_->files().is_dirty());
   for (int k = 0; k < 5; ++k) frame();
   EXPECT_TRUE(is_same_content(editor_->document(), saved)) << "nothing runs after opening";
   EXPECT_EQ(editor_->status().kind, StatusKind::converged);
-  ASSERT_TRUE(editor_->save_as(file("again.json")));
+  ASSERT_TRUE(editor_->files().save_as(file("again.json")));
   EXPECT_EQ(bytes_of(file("scene.json")), bytes_of(file("again.json")));
 }
 
@@ -68,11 +69,11 @@ TEST_F(Files, PlainSceneIsSolvedWhenItIsOpened) {
         R"({"mesh": {"vertices": [[0,0],[1,0],[1,1],[0,1]], "triangles": [[0,1,2],[0,2,3]]},
             "energy": "arap",
             "handles": [{"vertex": 0, "target": [0,0]}, {"vertex": 2, "target": [1.5,1.25]}]})");
-  editor_->open(file("plain.json"));
+  editor_->files().open(file("plain.json"));
   ASSERT_EQ(editor_->document().handles.size(), 2U) << last_toast();
   settle();
   EXPECT_EQ(editor_->status().kind, StatusKind::converged);
-  EXPECT_FALSE(editor_->is_dirty()) << "the file leads there by itself";
+  EXPECT_FALSE(editor_->files().is_dirty()) << "the file leads there by itself";
 }
 
 TEST_F(Files, BadFilesAreOneToastAndLoseNothing) {
@@ -81,86 +82,86 @@ TEST_F(Files, BadFilesAreOneToastAndLoseNothing) {
   write(file("bad.json"), "{\"mesh\": \"nowhere.obj\", ");
   write(file("bad.obj"), "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
   for (const auto* name : {"bad.json", "bad.obj", "missing.json", "missing.obj", "folder.x"}) {
-    editor_->open(file(name));
-    editor_->answer(Answer::discard);
-    ASSERT_FALSE(editor_->toasts().empty()) << name;
-    EXPECT_EQ(editor_->toasts().back().kind, ToastKind::error);
+    editor_->files().open(file(name));
+    editor_->files().answer(Answer::discard);
+    ASSERT_FALSE(editor_->messages().toasts().empty()) << name;
+    EXPECT_EQ(editor_->messages().toasts().back().kind, ToastKind::error);
     EXPECT_NE(last_toast().find(name), std::string::npos) << last_toast();
     EXPECT_TRUE(is_same_content(editor_->document(), before));
   }
 }
 
 TEST_F(Files, ToastsGoAway) {
-  editor_->toast(ToastKind::notice, "Hello");
+  editor_->messages().toast(ToastKind::notice, "Hello");
   const auto wake = editor_->next_wake();
   ASSERT_TRUE(wake.has_value());
   EXPECT_TRUE(editor_->update(*wake));
-  EXPECT_TRUE(editor_->toasts().empty());
+  EXPECT_TRUE(editor_->messages().toasts().empty());
 }
 
 TEST_F(Files, DirtyUntilSavedAndAgainAfterUndo) {
-  EXPECT_FALSE(editor_->is_dirty());
+  EXPECT_FALSE(editor_->files().is_dirty());
   place(0);
-  EXPECT_TRUE(editor_->is_dirty());
-  EXPECT_TRUE(editor_->title().starts_with("\u25cf ")) << editor_->title();
+  EXPECT_TRUE(editor_->files().is_dirty());
+  EXPECT_TRUE(editor_->files().title().starts_with("\u25cf ")) << editor_->files().title();
   settle();
-  editor_->save_as(file("scene"));
-  EXPECT_EQ(editor_->path(), file("scene.json"));
-  EXPECT_FALSE(editor_->is_dirty());
-  EXPECT_EQ(editor_->title(), "scene.json");
+  editor_->files().save_as(file("scene"));
+  EXPECT_EQ(editor_->files().path(), file("scene.json"));
+  EXPECT_FALSE(editor_->files().is_dirty());
+  EXPECT_EQ(editor_->files().title(), "scene.json");
   key(Key::z, kControl);
-  EXPECT_TRUE(editor_->is_dirty());
+  EXPECT_TRUE(editor_->files().is_dirty());
   key(Key::y, kControl);
-  EXPECT_FALSE(editor_->is_dirty());
+  EXPECT_FALSE(editor_->files().is_dirty());
 }
 
 TEST_F(Files, SaveAsksForAPathOnceOnly) {
   place(0);
   key(Key::s, kControl);
   EXPECT_TRUE(has_request(Request::save_dialog));
-  editor_->save_as(file("scene.json"));
+  editor_->files().save_as(file("scene.json"));
   place(35);
   key(Key::s, kControl);
   EXPECT_FALSE(has_request(Request::save_dialog));
-  EXPECT_FALSE(editor_->is_dirty());
+  EXPECT_FALSE(editor_->files().is_dirty());
 }
 
 TEST_F(Files, UnsavedChangesAreAskedAboutBeforeClosing) {
   place(0);
-  editor_->close();
-  ASSERT_NE(editor_->question(), nullptr);
-  EXPECT_EQ(editor_->question()->kind, PendingKind::close);
-  editor_->answer(Answer::cancel);
-  EXPECT_EQ(editor_->question(), nullptr);
+  editor_->files().close();
+  ASSERT_NE(editor_->files().question(), nullptr);
+  EXPECT_EQ(editor_->files().question()->kind, PendingKind::close);
+  editor_->files().answer(Answer::cancel);
+  EXPECT_EQ(editor_->files().question(), nullptr);
   EXPECT_FALSE(has_request(Request::quit));
 
-  editor_->close();
-  editor_->answer(Answer::save);
+  editor_->files().close();
+  editor_->files().answer(Answer::save);
   EXPECT_TRUE(has_request(Request::save_dialog));
   EXPECT_FALSE(has_request(Request::quit));
-  editor_->save_as(file("scene.json"));
+  editor_->files().save_as(file("scene.json"));
   EXPECT_TRUE(has_request(Request::quit));
 }
 
 TEST_F(Files, DiscardGoesOnAndNothingUnsavedIsNotAskedAbout) {
   place(0);
-  editor_->new_document();
-  ASSERT_NE(editor_->question(), nullptr);
-  editor_->answer(Answer::discard);
+  editor_->files().new_document();
+  ASSERT_NE(editor_->files().question(), nullptr);
+  editor_->files().answer(Answer::discard);
   EXPECT_TRUE(editor_->document().is_empty());
   EXPECT_EQ(editor_->shown(), nullptr);
-  editor_->close();
-  EXPECT_EQ(editor_->question(), nullptr);
+  editor_->files().close();
+  EXPECT_EQ(editor_->files().question(), nullptr);
   EXPECT_TRUE(has_request(Request::quit));
 }
 
 TEST_F(Files, FailedSaveKeepsTheDocumentUnsaved) {
   place(0);
   write(file("blocker"), "a file, not a folder");
-  EXPECT_FALSE(editor_->save_as(file("blocker") / "scene.json"));
-  EXPECT_EQ(editor_->toasts().back().kind, ToastKind::error);
-  EXPECT_TRUE(editor_->is_dirty());
-  EXPECT_TRUE(editor_->path().empty());
+  EXPECT_FALSE(editor_->files().save_as(file("blocker") / "scene.json"));
+  EXPECT_EQ(editor_->messages().toasts().back().kind, ToastKind::error);
+  EXPECT_TRUE(editor_->files().is_dirty());
+  EXPECT_TRUE(editor_->files().path().empty());
 }
 
 TEST_F(Files, DroppedImageIsTheTextureOfThePresentMesh) {
@@ -179,36 +180,36 @@ TEST_F(Files, DroppedMeshOpens) {
   write(file("triangle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   editor_->receive(FilesDropped{{file("triangle.obj")}}, now_);
   EXPECT_EQ(editor_->document().original->triangles.cols(), 1) << last_toast();
-  EXPECT_EQ(editor_->title(), "triangle");
-  EXPECT_FALSE(editor_->is_dirty());
+  EXPECT_EQ(editor_->files().title(), "triangle");
+  EXPECT_FALSE(editor_->files().is_dirty());
 }
 
 TEST_F(Files, SamplesAreCopiesThatAreSavedElsewhere) {
   place(0);
-  ASSERT_TRUE(editor_->save_as(file("sample.json")));
-  editor_->open_sample(file("sample.json"));
+  ASSERT_TRUE(editor_->files().save_as(file("sample.json")));
+  editor_->files().open_sample(file("sample.json"));
   EXPECT_EQ(editor_->document().handles.size(), 1U) << last_toast();
-  EXPECT_TRUE(editor_->path().empty());
-  EXPECT_FALSE(editor_->is_dirty());
-  editor_->save();
+  EXPECT_TRUE(editor_->files().path().empty());
+  EXPECT_FALSE(editor_->files().is_dirty());
+  editor_->files().save();
   EXPECT_TRUE(has_request(Request::save_dialog));
 }
 
 TEST_F(Files, SliderMovedAfterSavingIsUnsaved) {
   const ParameterRow& alpha = *find_parameter_row("alpha");
-  editor_->set_parameter(alpha, 1e6);
-  ASSERT_TRUE(editor_->save_as(file("scene.json")));
-  editor_->set_parameter(alpha, 2e6);
-  EXPECT_TRUE(editor_->is_dirty());
+  editor_->edits().set_parameter(alpha, 1e6);
+  ASSERT_TRUE(editor_->files().save_as(file("scene.json")));
+  editor_->edits().set_parameter(alpha, 2e6);
+  EXPECT_TRUE(editor_->files().is_dirty());
 }
 
 TEST_F(Files, TextureIsFoundAgainFromTheScenesFolder) {
   std::filesystem::create_directories(file("a/images"));
   write(file("a/images/cat.png"), "pixels");
-  editor_->set_texture(file("a/images/cat.png"));
-  ASSERT_TRUE(editor_->save_as(file("a/scene.json")));
+  editor_->files().set_texture(file("a/images/cat.png"));
+  ASSERT_TRUE(editor_->files().save_as(file("a/scene.json")));
   std::filesystem::rename(file("a"), file("b"));
-  editor_->open(file("b/scene.json"));
+  editor_->files().open(file("b/scene.json"));
   EXPECT_EQ(editor_->document().texture, file("b/images/cat.png")) << last_toast();
 }
 

@@ -13,7 +13,7 @@ TEST_F(Gestures, ClickOnAVertexPlacesAHandleThere) {
   const Handle& handle = editor_->document().handles.front();
   EXPECT_EQ(handle.vertex, 12);
   EXPECT_EQ(handle.target, editor_->document().pose->deformed.col(12));
-  EXPECT_TRUE(editor_->selection().contains(handle.id));
+  EXPECT_TRUE(editor_->selection().ids().contains(handle.id));
 }
 
 TEST_F(Gestures, ClickInsideATriangleInsertsAVertexThere) {
@@ -30,10 +30,10 @@ TEST_F(Gestures, ClickInsideATriangleInsertsAVertexThere) {
 
 TEST_F(Gestures, ClickBesideAnEdgeSplitsTheEdge) {
   open_grid(5);
-  const int faces = editor_->proof().triangles;
+  const int faces = editor_->draft().proof().triangles;
   click(pixel_of(Vec2(0.5, 0.01)));
   ASSERT_EQ(editor_->document().handles.size(), 1U);
-  EXPECT_EQ(editor_->proof().triangles, faces + 1);
+  EXPECT_EQ(editor_->draft().proof().triangles, faces + 1);
   EXPECT_LT((position(0) - Vec2(0.5, 0)).norm(), 0.02);
   EXPECT_TRUE(is_valid());
 }
@@ -41,10 +41,10 @@ TEST_F(Gestures, ClickBesideAnEdgeSplitsTheEdge) {
 TEST_F(Gestures, ClickBesideAHandleSelectsItAndPlacesNone) {
   open_grid(5);
   const int id = place(12);
-  editor_->select({});
+  editor_->selection().select({});
   click(pixel_of_vertex(12) + Vec2(9, 0));
   EXPECT_EQ(editor_->document().handles.size(), 1U);
-  EXPECT_EQ(editor_->selection(), std::set<int>{id});
+  EXPECT_EQ(editor_->selection().ids(), std::set<int>{id});
   click(pixel_of_vertex(12) + Vec2(30, 0));
   EXPECT_EQ(editor_->document().handles.size(), 2U);
 }
@@ -53,11 +53,11 @@ TEST_F(Gestures, NearestOfTwoHandlesWins) {
   open_grid(5);
   const int left = place(11);
   const int right = place(12);
-  editor_->set_camera({{1.5, 2}, 12});  // 12 pixels lie between the two
+  editor_->view().set_camera({{1.5, 2}, 12});  // 12 pixels lie between the two
   click(pixel_of_vertex(11) + Vec2(5, 0));
-  EXPECT_EQ(editor_->selection(), std::set<int>{left});
+  EXPECT_EQ(editor_->selection().ids(), std::set<int>{left});
   click(pixel_of_vertex(11) + Vec2(7, 0));
-  EXPECT_EQ(editor_->selection(), std::set<int>{right});
+  EXPECT_EQ(editor_->selection().ids(), std::set<int>{right});
 }
 
 TEST_F(Gestures, FourPixelsMoveNothingAndFiveDo) {
@@ -68,33 +68,33 @@ TEST_F(Gestures, FourPixelsMoveNothingAndFiveDo) {
   press(at);
   move(at + Vec2(4, 0));
   EXPECT_EQ(target(id), before);
-  EXPECT_FALSE(editor_->is_editing());
+  EXPECT_FALSE(editor_->draft().is_editing());
   move(at + Vec2(5, 0));
   EXPECT_NE(target(id), before);
   release(at + Vec2(5, 0));
 }
 
 TEST_F(Gestures, ThresholdGrowsWithTheScaleOfTheInterface) {
-  editor_->resize(800, 600, 2);
+  editor_->view().resize(800, 600, 2);
   open_grid(5);
   const int id = place(12);
   const Vec2 at = pixel_of_handle(id);
   press(at);
   move(at + Vec2(7, 0));
-  EXPECT_FALSE(editor_->is_editing());
+  EXPECT_FALSE(editor_->draft().is_editing());
   move(at + Vec2(9, 0));
-  EXPECT_TRUE(editor_->is_editing());
+  EXPECT_TRUE(editor_->draft().is_editing());
   release(at);
 }
 
 TEST_F(Gestures, PressAndDragOnBareMeshPlacesAndMovesInOneStep) {
   open_grid(5);
   place(0);
-  const std::size_t steps = editor_->history().steps().size();
+  const std::size_t steps = editor_->draft().history().steps().size();
   const Vec2 from = pixel_of_vertex(24);
   drag(from, from + Vec2(20, -10));
   EXPECT_EQ(editor_->document().handles.size(), 2U);
-  EXPECT_EQ(editor_->history().steps().size(), steps + 1);
+  EXPECT_EQ(editor_->draft().history().steps().size(), steps + 1);
   EXPECT_LT((pixel_of(target(1)) - from - Vec2(20, -10)).norm(), 1e-6);
 }
 
@@ -102,7 +102,7 @@ TEST_F(Gestures, DragMovesTheWholeSelection) {
   open_grid(5);
   const int a = place(0);
   const int b = place(4);
-  editor_->select({a, b});
+  editor_->selection().select({a, b});
   const Vec2 before = target(b);
   const Vec2 from = pixel_of_handle(a);
   drag(from, from + Vec2(30, 0));
@@ -128,7 +128,7 @@ TEST_F(Gestures, EscapeInADragPutsEverythingBack) {
   const int id = place(24);
   settle();
   const Document before = editor_->document();
-  const std::size_t steps = editor_->history().steps().size();
+  const std::size_t steps = editor_->draft().history().steps().size();
   const Vec2 from = pixel_of_handle(id);
   press(from);
   for (int k = 1; k <= 5; ++k) {
@@ -139,7 +139,7 @@ TEST_F(Gestures, EscapeInADragPutsEverythingBack) {
   frame();
   key(Key::escape);
   EXPECT_TRUE(is_same_content(editor_->document(), before));
-  EXPECT_EQ(editor_->history().steps().size(), steps);
+  EXPECT_EQ(editor_->draft().history().steps().size(), steps);
   release(from);
   frame();
   EXPECT_TRUE(is_same_content(editor_->document(), before));
@@ -152,9 +152,9 @@ TEST_F(Gestures, AnotherButtonDoesNotEndADrag) {
   press(from);
   move(from + Vec2(20, 0));
   release(from, Button::right);
-  EXPECT_TRUE(editor_->is_editing());
+  EXPECT_TRUE(editor_->draft().is_editing());
   release(from);
-  EXPECT_FALSE(editor_->is_editing());
+  EXPECT_FALSE(editor_->draft().is_editing());
 }
 
 TEST_F(Gestures, LosingTheFocusEndsADragAsAStep) {
@@ -165,7 +165,7 @@ TEST_F(Gestures, LosingTheFocusEndsADragAsAStep) {
   move(from + Vec2(20, 0));
   const Vec2 moved = target(id);
   editor_->receive(FocusLost{}, now_);
-  EXPECT_FALSE(editor_->is_editing());
+  EXPECT_FALSE(editor_->draft().is_editing());
   EXPECT_EQ(target(id), moved);
 }
 
@@ -182,9 +182,9 @@ TEST_F(Gestures, MiddleDragRightDragAndSpaceDragPan) {
   EXPECT_TRUE(pans(Button::right));
   editor_->receive(KeyPressed{Key::space, {}, false}, now_);
   EXPECT_TRUE(pans(Button::left));
-  const SolvingState before = editor_->solving_state();
+  const SolvingState before = editor_->playback().state();
   editor_->receive(KeyReleased{Key::space}, now_ + 0.1);
-  EXPECT_EQ(editor_->solving_state(), before) << "a pan is not a tap";
+  EXPECT_EQ(editor_->playback().state(), before) << "a pan is not a tap";
 }
 
 TEST_F(Gestures, WheelZoomsAboutThePointer) {
@@ -201,10 +201,10 @@ TEST_F(Gestures, HoverIsTheHandleUnderThePointer) {
   open_grid(5);
   const int id = place(12);
   move(pixel_of_vertex(12) + Vec2(2, 2));
-  EXPECT_EQ(editor_->hovered(), id);
+  EXPECT_EQ(editor_->selection().hovered(), id);
   frame();
   move(Vec2(2, 2));
-  EXPECT_FALSE(editor_->hovered().has_value());
+  EXPECT_FALSE(editor_->selection().hovered().has_value());
   EXPECT_TRUE(frame()) << "the change is to be drawn";
 }
 

@@ -25,16 +25,16 @@ class HandleDepth : public EditorTest {
 TEST_F(HandleDepth, BracketsMoveTheSelectedHandlesByOneAndAnUndoTakesItBack) {
   settle();
   const auto pose = editor_->document().pose;
-  editor_->select({right_});
+  editor_->selection().select({right_});
   key(Key::right_bracket);
   key(Key::right_bracket);
   EXPECT_EQ(depth(right_), 2);
   EXPECT_EQ(depth(left_), 0);
-  editor_->select({left_, right_});
+  editor_->selection().select({left_, right_});
   key(Key::left_bracket);
   EXPECT_EQ(depth(right_), 1);
   EXPECT_EQ(depth(left_), -1);
-  EXPECT_EQ(editor_->history().steps().back().label, "Send back");
+  EXPECT_EQ(editor_->draft().history().steps().back().label, "Send back");
   key(Key::z, kControl);
   EXPECT_EQ(depth(right_), 2);
   EXPECT_EQ(depth(left_), 0);
@@ -43,60 +43,60 @@ TEST_F(HandleDepth, BracketsMoveTheSelectedHandlesByOneAndAnUndoTakesItBack) {
   EXPECT_EQ(depth(right_), 0);
   key(Key::z, kControlShift);
   EXPECT_EQ(depth(right_), 1);
-  EXPECT_FALSE(editor_->is_solving()) << "the solver has no part in it";
+  EXPECT_FALSE(editor_->playback().is_solving()) << "the solver has no part in it";
   EXPECT_EQ(editor_->document().pose, pose);
 }
 
 TEST_F(HandleDepth, ShowsAtOnce) {
   settle();
-  editor_->select({right_});
+  editor_->selection().select({right_});
   key(Key::right_bracket);
   EXPECT_EQ(editor_->shown()->handles[1].depth, 1);
 }
 
 TEST_F(HandleDepth, WithoutASelectionThereIsNothingToDo) {
-  editor_->select({});
-  const std::size_t steps = editor_->history().steps().size();
+  editor_->selection().select({});
+  const std::size_t steps = editor_->draft().history().steps().size();
   EXPECT_FALSE(editor_->run_command("handle.forward"));
   set_depth(*editor_, 3);
-  EXPECT_EQ(editor_->history().steps().size(), steps);
+  EXPECT_EQ(editor_->draft().history().steps().size(), steps);
   EXPECT_FALSE(selected_depth(*editor_).is_there);
 }
 
 TEST_F(HandleDepth, IsGivenAsANumberWithinBounds) {
-  editor_->select({left_, right_});
+  editor_->selection().select({left_, right_});
   set_depth(*editor_, 2.5);
   EXPECT_EQ(selected_depth(*editor_).common, 2.5);
   set_depth(*editor_, std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(depth(left_), 2.5);
   set_depth(*editor_, 1e9);
   EXPECT_EQ(depth(left_), 1000);
-  const std::size_t steps = editor_->history().steps().size();
+  const std::size_t steps = editor_->draft().history().steps().size();
   bring_forward(*editor_);
   EXPECT_EQ(depth(left_), 1000);
-  EXPECT_EQ(editor_->history().steps().size(), steps) << "nothing changed";
-  editor_->select({left_});
+  EXPECT_EQ(editor_->draft().history().steps().size(), steps) << "nothing changed";
+  editor_->selection().select({left_});
   set_depth(*editor_, -1);
-  editor_->select({left_, right_});
+  editor_->selection().select({left_, right_});
   EXPECT_TRUE(selected_depth(*editor_).is_there);
   EXPECT_FALSE(selected_depth(*editor_).common.has_value());
 }
 
 TEST_F(HandleDepth, IsSavedAndOpenedAgain) {
   const TemporaryFolder folder;
-  editor_->select({left_});
+  editor_->selection().select({left_});
   set_depth(*editor_, -0.25);
-  EXPECT_TRUE(editor_->is_dirty());
-  ASSERT_TRUE(editor_->save_as(folder.path() / "scene.json"));
+  EXPECT_TRUE(editor_->files().is_dirty());
+  ASSERT_TRUE(editor_->files().save_as(folder.path() / "scene.json"));
   const Document saved = editor_->document();
   make_editor({});
-  editor_->open(folder.path() / "scene.json");
+  editor_->files().open(folder.path() / "scene.json");
   EXPECT_EQ(depth(left_), -0.25);
   EXPECT_TRUE(is_same_content(editor_->document(), saved));
 }
 
 TEST_F(HandleDepth, StaysWithAHandleThroughDragsSplitsAndAResetOfThePose) {
-  editor_->select({right_});
+  editor_->selection().select({right_});
   set_depth(*editor_, 3);
   const Vec2 from = pixel_of_handle(right_);
   drag(from, from + Vec2(40, -30));
@@ -113,11 +113,11 @@ TEST_F(HandleDepth, OfAnEarlierIterationIsThatOfNow) {
   const Vec2 from = pixel_of_handle(right_);
   drag(from, from + Vec2(80, 60));
   settle();
-  ASSERT_TRUE(editor_->can_scrub());
-  editor_->select({right_});
+  ASSERT_TRUE(editor_->playback().can_scrub());
+  editor_->selection().select({right_});
   set_depth(*editor_, 7);
-  editor_->scrub(0);
-  ASSERT_TRUE(editor_->scrubbed()) << "one iteration was enough";
+  editor_->playback().scrub(0);
+  ASSERT_TRUE(editor_->playback().scrubbed()) << "one iteration was enough";
   EXPECT_EQ(editor_->shown()->handles[1].depth, 7);
   const Points shown = editor_->shown()->deformed;
   set_depth(*editor_, 8);
@@ -131,11 +131,11 @@ TEST_F(HandleDepth, TheTriangleInFrontIsUnderThePointer) {
   Snapshot crossing = crossing_ribbon();
   for (const double left : {1.0, -1.0}) {
     crossing.handles[0].depth = left;
-    const auto triangle = triangle_at(crossing, Vec2(0.01, 0.02), editor_->paint_order());
+    const auto triangle = triangle_at(crossing, Vec2(0.01, 0.02), editor_->draft().paint_order());
     ASSERT_TRUE(triangle.has_value());
     EXPECT_EQ((*crossing.rest)(0, (*crossing.triangles)(0, *triangle)) < 0, left > 0);
   }
-  EXPECT_FALSE(triangle_at(crossing, Vec2(5, 5), editor_->paint_order()).has_value());
+  EXPECT_FALSE(triangle_at(crossing, Vec2(5, 5), editor_->draft().paint_order()).has_value());
 }
 
 }  // namespace

@@ -68,13 +68,13 @@ TEST_F(Undo, OneDragIsOneStep) {
   place(0);
   const int id = place(35);
   settle();
-  const std::size_t steps = editor_->history().steps().size();
+  const std::size_t steps = editor_->draft().history().steps().size();
   const Vec2 from = pixel_of_handle(id);
   drag(from, from + Vec2(40, 30));
   settle();
-  EXPECT_EQ(editor_->history().steps().size(), steps + 1);
+  EXPECT_EQ(editor_->draft().history().steps().size(), steps + 1);
   key(Key::z, kControl);
-  EXPECT_EQ(editor_->history().current(), steps - 1);
+  EXPECT_EQ(editor_->draft().history().current(), steps - 1);
 }
 
 TEST_F(Undo, RestoresExactlyAcrossFlips) {
@@ -131,11 +131,11 @@ TEST_F(Undo, MeshGoesOnFromWhereUndoLed) {
 TEST_F(Undo, JumpsToAnyStep) {
   open_grid(5);
   for (const int vertex : {0, 4, 20, 24}) place(vertex);
-  editor_->jump_to_step(2);
+  editor_->draft().jump_to_step(2);
   EXPECT_EQ(editor_->document().handles.size(), 2U);
-  editor_->jump_to_step(4);
+  editor_->draft().jump_to_step(4);
   EXPECT_EQ(editor_->document().handles.size(), 4U);
-  editor_->jump_to_step(0);
+  editor_->draft().jump_to_step(0);
   EXPECT_TRUE(editor_->document().handles.empty());
 }
 
@@ -148,7 +148,7 @@ TEST_F(Undo, InTheMiddleOfADragCancelsTheDrag) {
   move(from + Vec2(40, 0));
   frame();
   key(Key::z, kControl);
-  EXPECT_FALSE(editor_->is_editing());
+  EXPECT_FALSE(editor_->draft().is_editing());
   EXPECT_EQ(target(id), before);
   release(from + Vec2(40, 0));
   EXPECT_EQ(editor_->document().handles.size(), 1U);
@@ -186,10 +186,10 @@ TEST_F(Undo, EveryStepOfARandomSessionComesBackExactly) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     frame();
   }
-  editor_->stop_solving();
+  editor_->playback().stop();
   while (true) {
     states.push_back(editor_->document());
-    if (!editor_->history().can_undo()) break;
+    if (!editor_->draft().history().can_undo()) break;
     key(Key::z, kControl);
   }
   for (auto state = states.rbegin(); state != states.rend(); ++state) {

@@ -10,7 +10,8 @@ using Picking = EditorTest;
 
 TEST_F(Picking, NothingIsUnderThePointerWhenNothingIsOpen) {
   EXPECT_FALSE(pick_handle(nullptr, editor_->canvas(), {1, 1}).has_value());
-  EXPECT_FALSE(pick_mesh(nullptr, editor_->canvas(), {1, 1}, editor_->paint_order()).has_value());
+  EXPECT_FALSE(
+      pick_mesh(nullptr, editor_->canvas(), {1, 1}, editor_->draft().paint_order()).has_value());
   EXPECT_TRUE(handles_in(nullptr, editor_->canvas(), {{0, 0}, {800, 600}}).empty());
 }
 
@@ -18,7 +19,7 @@ TEST_F(Picking, VertexWinsWithinTheHitRadiusAndThePointBeyond) {
   open_grid(5);
   const Snapshot* shown = editor_->shown().get();
   const auto at = [&](const Vec2& pixel) {
-    return pick_mesh(shown, editor_->canvas(), pixel, editor_->paint_order());
+    return pick_mesh(shown, editor_->canvas(), pixel, editor_->draft().paint_order());
   };
   ASSERT_TRUE(at(pixel_of_vertex(12) + Vec2(9, 0)).has_value());
   EXPECT_EQ(at(pixel_of_vertex(12) + Vec2(9, 0))->vertex, 12);
@@ -32,13 +33,13 @@ TEST_F(Picking, VertexWinsWithinTheHitRadiusAndThePointBeyond) {
 TEST_F(Picking, VertexOnTheBoundaryIsFoundFromOutside) {
   open_grid(5);
   const Snapshot* shown = editor_->shown().get();
-  const auto hit =
-      pick_mesh(shown, editor_->canvas(), pixel_of_vertex(4) + Vec2(5, 5), editor_->paint_order());
+  const auto hit = pick_mesh(shown, editor_->canvas(), pixel_of_vertex(4) + Vec2(5, 5),
+                             editor_->draft().paint_order());
   ASSERT_TRUE(hit.has_value());
   EXPECT_EQ(hit->vertex, 4);
-  EXPECT_FALSE(
-      pick_mesh(shown, editor_->canvas(), pixel_of_vertex(4) + Vec2(15, 15), editor_->paint_order())
-          .has_value());
+  EXPECT_FALSE(pick_mesh(shown, editor_->canvas(), pixel_of_vertex(4) + Vec2(15, 15),
+                         editor_->draft().paint_order())
+                   .has_value());
 }
 
 TEST_F(Picking, RingOfATargetCanBeCaughtToo) {

@@ -138,14 +138,14 @@ TEST_F(RaceTest, GoesBackAndForthWithoutSolving) {
 
 TEST_F(RaceTest, ClosingLeavesTheDocumentAsItWas) {
   const auto pose = editor_->document().pose;
-  const auto steps = editor_->history().steps().size();
+  const auto steps = editor_->draft().history().steps().size();
   const Camera camera = editor_->canvas().camera;
   open_parameter_race();
   finish();
   key(Key::escape);
   EXPECT_FALSE(race().is_open());
   EXPECT_EQ(editor_->document().pose, pose);
-  EXPECT_EQ(editor_->history().steps().size(), steps);
+  EXPECT_EQ(editor_->draft().history().steps().size(), steps);
   EXPECT_EQ(editor_->canvas().camera, camera);
   EXPECT_EQ(editor_->status().kind, StatusKind::converged);
 }
@@ -169,10 +169,10 @@ TEST_F(RaceTest, UsingALaneIsOneUndoStep) {
   EXPECT_EQ(editor_->shown()->deformed, result);
   EXPECT_EQ(editor_->document().parameters.eta, 1e-1);
   EXPECT_TRUE(is_valid());
-  editor_->undo();
+  editor_->draft().undo();
   EXPECT_EQ(editor_->shown()->deformed, before);
   EXPECT_EQ(editor_->document().parameters, parameters);
-  editor_->redo();
+  editor_->draft().redo();
   EXPECT_EQ(editor_->shown()->deformed, result);
 }
 

@@ -51,8 +51,9 @@ class RandomGestures : public EditorTest {
     for (int k = 0; k < events; ++k) {
       now_ += 0.01;
       editor_->receive(hands.next(), now_);
-      editor_->take_requests();
-      if (editor_->question()) editor_->answer(static_cast<Answer>(hands.whole(1, 2)));
+      editor_->messages().take_requests();
+      if (editor_->files().question())
+        editor_->files().answer(static_cast<Answer>(hands.whole(1, 2)));
       if (hands.whole(0, 40) == 0) change_something(hands);
       if (hands.whole(0, 2) == 0) frame();
       if (hands.whole(0, 50) == 0) wait_a_little();
@@ -64,11 +65,11 @@ class RandomGestures : public EditorTest {
   void change_something(RandomHands& hands) {
     const auto rows = parameter_rows();
     const auto& row = rows[static_cast<std::size_t>(hands.whole(0, 3))];
-    editor_->set_parameter(
+    editor_->edits().set_parameter(
         row, default_of(row, editor_->document().parameters, *editor_->document().energy) *
                  hands.real(0.5, 2));
     const auto energies = densities();
-    editor_->set_energy(
+    editor_->edits().set_energy(
         energies[static_cast<std::size_t>(hands.whole(0, static_cast<int>(energies.size()) - 1))]);
   }
 
@@ -85,9 +86,9 @@ class RandomGestures : public EditorTest {
       if (handle.vertex < 0 || handle.vertex >= document.pose->deformed.cols()) return false;
       if (!vertices.insert(handle.vertex).second || !handle.target.allFinite()) return false;
     }
-    for (const int id : editor_->selection())
+    for (const int id : editor_->selection().ids())
       if (!find_handle(document, id)) return false;
-    return editor_->handle_views().size() ==
+    return handle_views(editor_->draft()).size() ==
            (editor_->shown() ? editor_->shown()->handles.size() : 0);
   }
 };
@@ -104,7 +105,7 @@ TEST_F(RandomGestures, LeaveOneTriangleValid) {
     Shape shape{Triangles(3, 1), Points(2, 3)};
     shape.triangles << 0, 1, 2;
     shape.rest << 0, 1, 0, 0, 0, 1;
-    editor_->open_shape(std::move(shape), "triangle");
+    editor_->files().open_shape(std::move(shape), "triangle");
     play(seed, 300);
   }
 }

@@ -11,39 +11,40 @@ class RemeshDiffTest : public EditorTest {
   RemeshDiffTest() {
     open_grid(5);
     editor_->run_command("view.remesh_diff");
-    editor_->resize(400, 600, 1);
+    editor_->view().resize(400, 600, 1);
   }
-  const Camera& left() const { return editor_->remesh_diff().pane().camera; }
+  const Camera& left() const { return editor_->view().remesh_diff().pane().camera; }
   const Camera& right() const { return editor_->canvas().camera; }
 };
 
 TEST_F(RemeshDiffTest, OpensWithBothMeshesAtOneMagnification) {
-  EXPECT_TRUE(editor_->remesh_diff().is_linked());
+  EXPECT_TRUE(editor_->view().remesh_diff().is_linked());
   EXPECT_EQ(left().pixels_per_unit, right().pixels_per_unit);
-  EXPECT_EQ(editor_->remesh_diff().pane().width, 400);
-  EXPECT_TRUE(editor_->shown_view().layers.remeshed) << "flipped edges are what it is about";
+  EXPECT_EQ(editor_->view().remesh_diff().pane().width, 400);
+  EXPECT_TRUE(editor_->view().shown_options().layers.remeshed)
+      << "flipped edges are what it is about";
   editor_->run_command("view.remesh_diff");
-  EXPECT_FALSE(editor_->shown_view().layers.remeshed);
+  EXPECT_FALSE(editor_->view().shown_options().layers.remeshed);
 }
 
 TEST_F(RemeshDiffTest, LinkedPanesMoveTogetherWhicheverIsMoved) {
   const Camera before = left();
-  editor_->set_camera(panned(right(), {30, -20}));
+  editor_->view().set_camera(panned(right(), {30, -20}));
   EXPECT_NEAR(left().centre.x, before.centre.x - 30 / before.pixels_per_unit, 1e-12);
   const Camera canvas = right();
-  editor_->set_rest_camera(zoomed_about(left(), {400, 600}, {200, 300}, 2));
+  editor_->view().set_rest_camera(zoomed_about(left(), {400, 600}, {200, 300}, 2));
   EXPECT_DOUBLE_EQ(right().pixels_per_unit, 2 * canvas.pixels_per_unit);
   EXPECT_NEAR(right().centre.x, canvas.centre.x, 1e-12);
 }
 
 TEST_F(RemeshDiffTest, UnlinkedPanesMoveAlone) {
   key(Key::d, kShift);
-  ASSERT_FALSE(editor_->remesh_diff().is_linked());
+  ASSERT_FALSE(editor_->view().remesh_diff().is_linked());
   const Camera canvas = right();
-  editor_->set_rest_camera(panned(left(), {50, 0}));
+  editor_->view().set_rest_camera(panned(left(), {50, 0}));
   EXPECT_EQ(right(), canvas);
   const Camera pane = left();
-  editor_->zoom(3);
+  editor_->view().zoom(3);
   EXPECT_EQ(left(), pane);
   key(Key::d, kShift);
   EXPECT_EQ(left().pixels_per_unit, right().pixels_per_unit) << "linking makes the scales one";

@@ -22,19 +22,22 @@ class Solving : public EditorTest {
 
 TEST_F(Solving, StatusIsInWords) {
   EXPECT_EQ(editor_->status().words, "Converged");
-  editor_->new_document();
-  editor_->answer(Answer::discard);
+  editor_->files().new_document();
+  editor_->files().answer(Answer::discard);
   EXPECT_EQ(editor_->status().kind, StatusKind::empty);
   open_grid(3);
   EXPECT_EQ(editor_->status().kind, StatusKind::ready);
 }
 
 TEST_F(Solving, SaysHowFarItIs) {
-  editor_->set_method("paper-flip");
-  editor_->set_pace(4);
+  editor_->edits().set_method("paper-flip");
+  editor_->playback().set_pace(4);
   drag_corner({-50, 60});
-  wait_for([&] { return !editor_->iterations().empty() || !editor_->is_solving(); });
-  ASSERT_TRUE(editor_->is_solving()) << "four iterations a second are slow enough to look";
+  wait_for([&] {
+    return !editor_->playback().iterations().empty() || !editor_->playback().is_solving();
+  });
+  ASSERT_TRUE(editor_->playback().is_solving())
+      << "four iterations a second are slow enough to look";
   EXPECT_EQ(editor_->status().kind, StatusKind::solving);
   EXPECT_TRUE(editor_->status().words.starts_with("Solving ")) << editor_->status().words;
   EXPECT_TRUE(editor_->status().words.ends_with("/1000")) << editor_->status().words;
@@ -44,19 +47,21 @@ TEST_F(Solving, SaysHowFarItIs) {
 TEST_F(Solving, SaysThatACoarserMeshIsSolvedFirst) {
   open_grid(90);  // dense for foldless
   key(Key::space);
-  editor_->set_method("paper-flip");
+  editor_->edits().set_method("paper-flip");
   place(0);
   place(8099);
   place(4040);  // two alone would move by a similarity
   drag_corner({-50, 60});
   key(Key::period);
-  wait_for([&] { return !editor_->iterations().empty(); });
-  editor_->set_method("foldless");  // begins with handles that are not at their targets: no drag
+  wait_for([&] { return !editor_->playback().iterations().empty(); });
+  editor_->edits().set_method(
+      "foldless");  // begins with handles that are not at their targets: no drag
   key(Key::period);
   wait_for([&] {
-    return !editor_->iterations().empty() && editor_->iterations().back().phase == Phase::coarse;
+    return !editor_->playback().iterations().empty() &&
+           editor_->playback().iterations().back().phase == Phase::coarse;
   });
-  editor_->set_pace(4);
+  editor_->playback().set_pace(4);
   key(Key::space);
   EXPECT_EQ(editor_->status().kind, StatusKind::solving);
   EXPECT_EQ(editor_->status().words, "Solving on a coarser mesh first, step 1");
@@ -67,28 +72,28 @@ TEST_F(Solving, HandlesThatCannotGetThereAreBlocked) {
   Shape shape{Triangles(3, 1), Points(2, 3)};
   shape.triangles << 0, 1, 2;
   shape.rest << 0, 1, 0, 0, 0, 1;
-  editor_->open_shape(std::move(shape), "triangle");
-  editor_->set_method("paper-flip");  // without splits
+  editor_->files().open_shape(std::move(shape), "triangle");
+  editor_->edits().set_method("paper-flip");  // without splits
   for (const int vertex : {0, 1, 2}) place(vertex);
   const Vec2 from = pixel_of_vertex(2);
   drag(from, pixel_of(Vec2(0, -1)));  // would turn the triangle over
   settle();
   EXPECT_EQ(editor_->status().kind, StatusKind::blocked) << editor_->status().words;
   EXPECT_GT(editor_->status().residual, 0.1);
-  EXPECT_EQ(editor_->proof().inverted, 0);
+  EXPECT_EQ(editor_->draft().proof().inverted, 0);
   EXPECT_TRUE(is_valid());
 }
 
 TEST_F(Solving, SaysThatHandlesAreLockedWhileFoldlessSplitsEdgesOrTriesAWayRound) {
-  editor_->set_method("foldless");
+  editor_->edits().set_method("foldless");
   for (const int vertex : {14, 15}) place(vertex);
   settle();
-  editor_->set_pace(60);
+  editor_->playback().set_pace(60);
   drag(pixel_of_vertex(15), pixel_of_vertex(14));  // no room for both
   const auto says_so = [&] {
     return editor_->status().words.find("handles are locked") != std::string::npos;
   };
-  wait_for([&] { return says_so() || !editor_->is_solving(); });
+  wait_for([&] { return says_so() || !editor_->playback().is_solving(); });
   EXPECT_TRUE(says_so()) << editor_->status().words;
   EXPECT_EQ(editor_->status().kind, StatusKind::solving);
   EXPECT_TRUE(is_valid());
@@ -98,8 +103,8 @@ TEST_F(Solving, SaysWhyTargetsCannotBeReachedWhereTheWholeBoundaryIsHeld) {
   Shape shape{Triangles(3, 1), Points(2, 3)};
   shape.triangles << 0, 1, 2;
   shape.rest << 0, 1, 0, 0, 0, 1;
-  editor_->open_shape(std::move(shape), "triangle");
-  editor_->set_method("foldless");
+  editor_->files().open_shape(std::move(shape), "triangle");
+  editor_->edits().set_method("foldless");
   for (const int vertex : {0, 1, 2}) place(vertex);
   settle();
   const Vec2 home = pixel_of_vertex(2), away = pixel_of(Vec2(0, -1));
@@ -118,11 +123,11 @@ TEST_F(Solving, SpaceTapPausesAndResumes) {
   key(Key::space);
   EXPECT_EQ(editor_->status().kind, StatusKind::converged) << "nothing is left to do";
   EXPECT_EQ(editor_->status().words, "Converged (paused)");
-  EXPECT_EQ(editor_->solving_state(), SolvingState::paused);
+  EXPECT_EQ(editor_->playback().state(), SolvingState::paused);
   drag_corner({-50, 60});
   for (int k = 0; k < 10; ++k) frame();
   EXPECT_EQ(editor_->status().words, "Paused");
-  EXPECT_TRUE(editor_->iterations().empty());
+  EXPECT_TRUE(editor_->playback().iterations().empty());
   key(Key::space);
   settle();
   EXPECT_EQ(editor_->status().words, "Converged");
@@ -133,24 +138,24 @@ TEST_F(Solving, PeriodDoesOneIteration) {
   drag_corner({-50, 60});
   for (std::size_t k = 1; k <= 3; ++k) {
     key(Key::period);
-    wait_for([&] { return editor_->iterations().size() >= k; });
+    wait_for([&] { return editor_->playback().iterations().size() >= k; });
     for (int f = 0; f < 5; ++f) frame();
-    EXPECT_EQ(editor_->iterations().size(), k);
-    EXPECT_EQ(editor_->solving_state(), SolvingState::paused);
+    EXPECT_EQ(editor_->playback().iterations().size(), k);
+    EXPECT_EQ(editor_->playback().state(), SolvingState::paused);
   }
 }
 
 TEST_F(Solving, EscapeStopsThenDeselects) {
-  editor_->set_pace(2);
+  editor_->playback().set_pace(2);
   drag_corner({-80, 60});
   frame();
-  ASSERT_TRUE(editor_->is_solving());
+  ASSERT_TRUE(editor_->playback().is_solving());
   key(Key::escape);
   EXPECT_EQ(editor_->status().kind, StatusKind::stopped);
-  EXPECT_FALSE(editor_->selection().empty());
+  EXPECT_FALSE(editor_->selection().ids().empty());
   key(Key::escape);
-  EXPECT_TRUE(editor_->selection().empty());
-  editor_->set_pace(std::nullopt);
+  EXPECT_TRUE(editor_->selection().ids().empty());
+  editor_->playback().set_pace(std::nullopt);
   key(Key::space);
   settle();
   EXPECT_EQ(editor_->status().kind, StatusKind::converged);
@@ -159,28 +164,29 @@ TEST_F(Solving, EscapeStopsThenDeselects) {
 TEST_F(Solving, TimelineBeginsWithTheDrag) {
   drag_corner({-50, 60});
   settle();
-  ASSERT_FALSE(editor_->iterations().empty());
-  const double energy = editor_->iterations().back().energy;
+  ASSERT_FALSE(editor_->playback().iterations().empty());
+  const double energy = editor_->playback().iterations().back().energy;
   drag_corner({5, 0});
-  EXPECT_TRUE(editor_->iterations().empty() || editor_->iterations().front().energy != energy);
+  EXPECT_TRUE(editor_->playback().iterations().empty() ||
+              editor_->playback().iterations().front().energy != energy);
 }
 
 TEST_F(Solving, TimelineCanBeScrubbed) {
   drag_corner({-90, 110});
   settle();
-  const std::size_t count = editor_->iterations().size();
+  const std::size_t count = editor_->playback().iterations().size();
   ASSERT_GE(count, 3U);
   const auto newest = editor_->shown();
   key(Key::comma);
-  EXPECT_EQ(editor_->scrubbed(), count - 2);
+  EXPECT_EQ(editor_->playback().scrubbed(), count - 2);
   key(Key::comma, kShift);
-  EXPECT_EQ(editor_->scrubbed(), 0U);
+  EXPECT_EQ(editor_->playback().scrubbed(), 0U);
   EXPECT_NE(editor_->shown()->deformed, newest->deformed);
   EXPECT_TRUE(is_valid());
   key(Key::period);
-  EXPECT_EQ(editor_->scrubbed(), 1U);
+  EXPECT_EQ(editor_->playback().scrubbed(), 1U);
   key(Key::period, kShift);
-  EXPECT_FALSE(editor_->scrubbed().has_value());
+  EXPECT_FALSE(editor_->playback().scrubbed().has_value());
   EXPECT_EQ(editor_->shown()->deformed, newest->deformed);
 }
 
@@ -188,11 +194,11 @@ TEST_F(Solving, UseThisIterationIsAnUndoStep) {
   drag_corner({-90, 110});
   settle();
   const Document settled = editor_->document();
-  editor_->scrub(0);
+  editor_->playback().scrub(0);
   const Points shown = editor_->shown()->deformed;
   key(Key::enter);
   EXPECT_EQ(editor_->document().pose->deformed, shown);
-  EXPECT_FALSE(editor_->scrubbed().has_value());
+  EXPECT_FALSE(editor_->playback().scrubbed().has_value());
   key(Key::z, kControl);
   EXPECT_TRUE(is_same_content(editor_->document(), settled));
 }
@@ -201,10 +207,10 @@ TEST_F(Solving, AnEditOfAnOldIterationBeginsThere) {
   drag_corner({-90, 110});
   settle();
   const Document settled = editor_->document();
-  editor_->scrub(0);
+  editor_->playback().scrub(0);
   const Points shown = editor_->shown()->deformed;
   key(Key::space);  // leaves the timeline and pauses
-  editor_->scrub(0);
+  editor_->playback().scrub(0);
   place(14);
   EXPECT_EQ(editor_->document().pose->deformed, shown);
   key(Key::z, kControl);
@@ -230,14 +236,14 @@ TEST_F(Solving, SnapshotsOfAnOlderMeshAreNotTaken) {
 TEST_F(Solving, EnergyAndParametersAreSteps) {
   drag_corner({-50, 60});
   settle();
-  const std::size_t steps = editor_->history().steps().size();
-  editor_->set_parameter(*find_parameter_row("alpha"), 1e6);
-  editor_->set_parameter(*find_parameter_row("alpha"), 1e7);
-  EXPECT_EQ(editor_->history().steps().size(), steps + 1) << "one slider, one step";
+  const std::size_t steps = editor_->draft().history().steps().size();
+  editor_->edits().set_parameter(*find_parameter_row("alpha"), 1e6);
+  editor_->edits().set_parameter(*find_parameter_row("alpha"), 1e7);
+  EXPECT_EQ(editor_->draft().history().steps().size(), steps + 1) << "one slider, one step";
   now_ += 2;
   editor_->update(now_);
-  editor_->set_parameter(*find_parameter_row("alpha"), 1e8);
-  EXPECT_EQ(editor_->history().steps().size(), steps + 2);
+  editor_->edits().set_parameter(*find_parameter_row("alpha"), 1e8);
+  EXPECT_EQ(editor_->draft().history().steps().size(), steps + 2);
   EXPECT_EQ(editor_->document().parameters.alpha, 1e8);
   key(Key::z, kControl);
   EXPECT_EQ(editor_->document().parameters.alpha, 1e7);
@@ -246,10 +252,10 @@ TEST_F(Solving, EnergyAndParametersAreSteps) {
 }
 
 TEST_F(Solving, PaceIsHeldBetweenOneAndSixty) {
-  editor_->set_pace(1e9);
-  EXPECT_EQ(editor_->pace(), 60);
-  editor_->set_pace(0.001);
-  EXPECT_EQ(editor_->pace(), 1);
+  editor_->playback().set_pace(1e9);
+  EXPECT_EQ(editor_->playback().pace(), 60);
+  editor_->playback().set_pace(0.001);
+  EXPECT_EQ(editor_->playback().pace(), 1);
 }
 
 TEST_F(Solving, IdleNeedsNoFrames) {
@@ -260,13 +266,13 @@ TEST_F(Solving, IdleNeedsNoFrames) {
 }
 
 TEST_F(Solving, ProofIsOfTheMeshOnScreen) {
-  EXPECT_EQ(editor_->proof().inverted, 0);
-  EXPECT_NEAR(editor_->proof().min_area_ratio, 1, 1e-6);
+  EXPECT_EQ(editor_->draft().proof().inverted, 0);
+  EXPECT_NEAR(editor_->draft().proof().min_area_ratio, 1, 1e-6);
   drag_corner({-90, 110});
   settle();
-  EXPECT_EQ(editor_->proof().inverted, 0);
-  EXPECT_LT(editor_->proof().min_area_ratio, 0.999);
-  EXPECT_GT(editor_->proof().min_area_ratio, 0);
+  EXPECT_EQ(editor_->draft().proof().inverted, 0);
+  EXPECT_LT(editor_->draft().proof().min_area_ratio, 0.999);
+  EXPECT_GT(editor_->draft().proof().min_area_ratio, 0);
 }
 
 }  // namespace

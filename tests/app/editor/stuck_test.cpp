@@ -12,8 +12,9 @@ class Stuck : public EditorTest {
  protected:
   Stuck() {
     Fixture square = unit_square();
-    editor_->open_shape(Shape{std::move(square.triangles), std::move(square.rest)}, "square");
-    editor_->set_method("paper-noflip");
+    editor_->files().open_shape(Shape{std::move(square.triangles), std::move(square.rest)},
+                                "square");
+    editor_->edits().set_method("paper-noflip");
     for (const int vertex : {0, 1, 2, 3}) place(vertex);
     drag(pixel_of_vertex(3), pixel_of(Vec2(0.7, 0.3)));
     settle();
@@ -22,8 +23,8 @@ class Stuck : public EditorTest {
 
 TEST_F(Stuck, NamesTheEdgeInTheWay) {
   ASSERT_EQ(editor_->status().kind, StatusKind::blocked) << editor_->status().words;
-  ASSERT_TRUE(editor_->stuck_handle());
-  const StuckHandle& stuck = *editor_->stuck_handle();
+  ASSERT_TRUE(editor_->stuck().handle());
+  const StuckHandle& stuck = *editor_->stuck().handle();
   EXPECT_EQ(stuck.vertex, 3) << "those that are held are pulled along a little: it is the farthest";
   EXPECT_EQ(stuck.blocking, (std::vector<Edge>{{0, 2}}));
   EXPECT_TRUE(stuck.can_flip);
@@ -45,7 +46,7 @@ TEST_F(Stuck, FlippingLetsItThroughAndIsOneUndoStep) {
   EXPECT_TRUE(editor_->stuck().handles().empty());
   EXPECT_TRUE(is_valid());
   EXPECT_EQ(editor_->shown()->flipped_edges->size(), 1U);
-  editor_->undo();
+  editor_->draft().undo();
   EXPECT_EQ(editor_->shown()->deformed, before);
   EXPECT_EQ(*editor_->shown()->triangles, triangles);
 }
@@ -57,30 +58,30 @@ TEST_F(Stuck, SplittingMakesVerticesAndKeepsTheMapValid) {
   EXPECT_EQ(editor_->shown()->original_vertices, 4);
   EXPECT_TRUE(is_valid());
   EXPECT_LT(editor_->status().residual, 0.3) << "nearer than the diagonal";
-  editor_->undo();
+  editor_->draft().undo();
   EXPECT_EQ(editor_->shown()->rest->cols(), 4);
 }
 
 TEST_F(Stuck, IsToldOnlyWhileItRestsAndIsAskedFor) {
-  ASSERT_TRUE(editor_->stuck_handle());
+  ASSERT_TRUE(editor_->stuck().handle());
   key(Key::w);
   frame();
-  EXPECT_FALSE(editor_->stuck_handle());
+  EXPECT_FALSE(editor_->stuck().handle());
   key(Key::w);
   frame();
-  EXPECT_TRUE(editor_->stuck_handle());
+  EXPECT_TRUE(editor_->stuck().handle());
   EXPECT_FALSE(frame()) << "and costs nothing from then on";
   press(pixel_of_handle(3));
   move(pixel_of_handle(3) + Vec2(-30, -30));
   frame();
-  EXPECT_FALSE(editor_->stuck_handle()) << "it moves again";
+  EXPECT_FALSE(editor_->stuck().handle()) << "it moves again";
 }
 
 TEST_F(Stuck, ASelectedHandleIsToldOfFirst) {
   ASSERT_GE(editor_->stuck().handles().size(), 2U);
   for (const StuckHandle& handle : editor_->stuck().handles()) {
-    editor_->select({handle.id});
-    EXPECT_EQ(editor_->stuck_handle()->id, handle.id);
+    editor_->selection().select({handle.id});
+    EXPECT_EQ(editor_->stuck().handle()->id, handle.id);
   }
 }
 

@@ -23,7 +23,8 @@ class BaselinesInTheEditor : public testing::Test {
  protected:
   Editor& editor() { return headless_.editor(); }
   int yellow_pixels() {
-    return pixels_of(headless_.canvas_picture(), canvas_colours(editor().view().theme).folded);
+    return pixels_of(headless_.canvas_picture(),
+                     canvas_colours(editor().view().options().theme).folded);
   }
   bool says(std::string_view words) {
     return editor().status().words.find(words) != std::string::npos;
@@ -39,8 +40,8 @@ class BaselinesInTheEditor : public testing::Test {
 TEST_F(BaselinesInTheEditor, AFoldingSequenceIsYellowUntilItIsUnfolded) {
   open_folding_disk(headless_, "injective-projection");
   EXPECT_EQ(yellow_pixels(), 0);
-  editor().step_forward();
-  ASSERT_TRUE(headless_.wait_until([this] { return !editor().iterations().empty(); }));
+  editor().playback().step_forward();
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().iterations().empty(); }));
   headless_.calm_down();
   ASSERT_GT(editor().shown()->folded_triangles, 0) << "the scene was chosen to fold";
   EXPECT_GT(yellow_pixels(), 300);
@@ -48,8 +49,8 @@ TEST_F(BaselinesInTheEditor, AFoldingSequenceIsYellowUntilItIsUnfolded) {
       << editor().status().words;
   EXPECT_TRUE(document_is_valid());
 
-  editor().toggle_pause();
-  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  editor().playback().toggle_pause();
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
   headless_.calm_down();
   EXPECT_EQ(editor().shown()->folded_triangles, 0) << editor().status().words;
   EXPECT_EQ(yellow_pixels(), 0);
@@ -58,17 +59,17 @@ TEST_F(BaselinesInTheEditor, AFoldingSequenceIsYellowUntilItIsUnfolded) {
 
 TEST_F(BaselinesInTheEditor, BoundedConformalShowsItsVerdictOrItsMap) {
   open_folding_disk(headless_, "bounded-conformal");
-  editor().set_parameter(*find_parameter_row("start"), 0);
-  editor().toggle_pause();
-  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  editor().edits().set_parameter(*find_parameter_row("start"), 0);
+  editor().playback().toggle_pause();
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
   EXPECT_EQ(editor().status().kind, StatusKind::blocked);
   EXPECT_TRUE(says("Infeasible for these frames (certificate)")) << editor().status().words;
   EXPECT_EQ(yellow_pixels(), 0);
 
-  editor().reset_parameter(*find_parameter_row("start"));
-  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  editor().edits().reset_parameter(*find_parameter_row("start"));
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
   EXPECT_EQ(editor().status().kind, StatusKind::converged) << editor().status().words;
-  EXPECT_LE(editor().proof().max_conformal_distortion, 100 * (1 + 1e-4));
+  EXPECT_LE(editor().draft().proof().max_conformal_distortion, 100 * (1 + 1e-4));
   EXPECT_EQ(yellow_pixels(), 0);
   EXPECT_TRUE(document_is_valid());
 }

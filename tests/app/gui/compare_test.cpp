@@ -31,15 +31,15 @@ class Compare : public testing::Test {
  protected:
   /// Without a frame in between, which would take longer than solving.
   Compare() {
-    editor().open_shape(bar(4, 1, 5), "bar");
+    editor().files().open_shape(bar(4, 1, 5), "bar");
     Document document = editor().document();
     for (const int vertex : {2 * 21, 2 * 21 + 20, 2 * 21 + 4})
       document = place_handle(document, {.vertex = vertex}).document;
     document = with_targets(document, {{1, Vec2(2, 2.5)}});
-    editor().begin_edit();
-    editor().apply(document, Change::mesh);
-    editor().commit("Bend");
-    while (editor().update(0), editor().is_solving())
+    editor().draft().begin_edit();
+    editor().draft().apply(document, Change::mesh);
+    editor().draft().commit("Bend");
+    while (editor().update(0), editor().playback().is_solving())
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     headless_.settle();
   }
@@ -48,7 +48,7 @@ class Compare : public testing::Test {
   static Vec2 middle(const Rectangle& r) { return {r.x + r.width / 2, r.y + r.height / 2}; }
   Vec2 rest_point(int vertex) {
     const Rectangle& pane = headless_.ui().layout().rest;
-    return editor().remesh_diff().pane().to_pixel(editor().shown()->rest->col(vertex)) +
+    return editor().view().remesh_diff().pane().to_pixel(editor().shown()->rest->col(vertex)) +
            Vec2(pane.x, pane.y);
   }
   /// Pixels in a rectangle that are as good as a colour.
@@ -120,14 +120,14 @@ TEST_F(Compare, DraggingTheRestPaneMovesBothOrOne) {
 }
 
 TEST_F(Compare, HandlesAreDraggedBesideTheRestMesh) {
-  editor().toggle_remesh_diff();
+  editor().view().toggle_remesh_diff();
   headless_.settle();
   const Points before = editor().shown()->deformed;
   const Vec2 from = headless_.window_point(editor().document().handles[1].target);
   headless_.press(from);
   headless_.move(from + Vec2(10, 20));
   headless_.release(from + Vec2(10, 20));
-  headless_.wait_until([this] { return !editor().is_solving(); });
+  headless_.wait_until([this] { return !editor().playback().is_solving(); });
   EXPECT_NE(editor().shown()->deformed, before);
 }
 
@@ -193,21 +193,21 @@ TEST_F(Compare, MarksTheEdgeInTheWayUntilItIsFlipped) {
   Shape square{Triangles(3, 2), Points(2, 4)};
   square.triangles << 0, 0, 1, 2, 2, 3;
   square.rest << 0, 1, 1, 0, 0, 0, 1, 1;
-  editor().open_shape(square, "square");
+  editor().files().open_shape(square, "square");
   Document document = editor().document();
   document.parameters.method = "paper-noflip";
   for (const int vertex : {0, 1, 2, 3})
     document = place_handle(document, {.vertex = vertex}).document;
   document = with_targets(document, {{3, Vec2(0.7, 0.3)}});
-  editor().begin_edit();
-  editor().apply(document, Change::mesh);
-  editor().commit("Past the diagonal");
-  ASSERT_TRUE(headless_.wait_until([this] { return editor().stuck_handle() != nullptr; }));
+  editor().draft().begin_edit();
+  editor().draft().apply(document, Change::mesh);
+  editor().draft().commit("Past the diagonal");
+  ASSERT_TRUE(headless_.wait_until([this] { return editor().stuck().handle() != nullptr; }));
   headless_.calm_down();
   const Rectangle canvas = headless_.ui().layout().canvas;
   EXPECT_GT(pixels_of(mark, canvas), 100);
   headless_.key(Key::f, {.shift = true});
-  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
   headless_.calm_down();
   EXPECT_EQ(editor().status().kind, StatusKind::converged) << editor().status().words;
   EXPECT_EQ(pixels_of(mark, canvas), 0);
@@ -222,11 +222,11 @@ TEST_F(Compare, TheBadgeTurnsYellowWhereAMapFolds) {
   pose->deformed.col(12) += Vec2(3, 3);
   folded.pose = pose;
   folded.handles.clear();
-  editor().begin_edit();
-  editor().apply(folded, Change::appearance);
-  editor().commit("Fold");
+  editor().draft().begin_edit();
+  editor().draft().apply(folded, Change::appearance);
+  editor().draft().commit("Fold");
   headless_.calm_down();
-  ASSERT_FALSE(editor().proof().holds());
+  ASSERT_FALSE(editor().draft().proof().holds());
   EXPECT_GT(pixels_of(yellow, bar), 1000);
 }
 
@@ -240,14 +240,14 @@ TEST_F(Compare, AMapThatOverlapsAtTheBoundaryIsYellowAndMayBeKept) {
   scene.state = SceneState{fan.triangles, fan.rest, open_fan(400).rest};
   const TemporaryFolder folder;
   save_scene(scene, folder / "fan.json");
-  ASSERT_TRUE(editor().save_as(folder / "bar.json"));
-  editor().open(folder / "fan.json");
+  ASSERT_TRUE(editor().files().save_as(folder / "bar.json"));
+  editor().files().open(folder / "fan.json");
   headless_.calm_down();
-  EXPECT_EQ(editor().proof().overlapping_boundary_vertices, 1);
-  EXPECT_FALSE(editor().proof().folds());
+  EXPECT_EQ(editor().draft().proof().overlapping_boundary_vertices, 1);
+  EXPECT_FALSE(editor().draft().proof().folds());
   const glm::vec4 yellow(0xFF / 255.0F, 0xD8 / 255.0F, 0x4D / 255.0F, 1);
   EXPECT_GT(pixels_of(yellow, headless_.ui().layout().status_bar), 1000);
-  ASSERT_TRUE(editor().save_as(folder / "kept.json"));
+  ASSERT_TRUE(editor().files().save_as(folder / "kept.json"));
   const std::vector<std::string_view> methods{"lim"};
   const Scene kept = load_scene(folder / "kept.json", methods).scene;
   ASSERT_TRUE(kept.state);

@@ -15,7 +15,7 @@ class Depth : public testing::Test {
  protected:
   Depth() {
     save_scene(crossing_scene(), folder_.path() / "ribbon.json");
-    editor().open(folder_.path() / "ribbon.json");
+    editor().files().open(folder_.path() / "ribbon.json");
     headless_.calm_down();
   }
 
@@ -64,22 +64,22 @@ TEST_F(Depth, OverlaysHiddenOneLimbIsStillWhole) {
   headless_.key(Key::right_bracket);
   headless_.key(Key::escape);
   headless_.calm_down();
-  editor().hide_overlays(true);
+  editor().view().hide_overlays(true);
   headless_.settle();
   const Image left_in_front = headless_.canvas_picture();
-  editor().hide_overlays(false);
+  editor().view().hide_overlays(false);
   click_handle(0);
   headless_.key(Key::left_bracket);
   headless_.key(Key::left_bracket);
   headless_.key(Key::escape);
   headless_.calm_down();
-  editor().hide_overlays(true);
+  editor().view().hide_overlays(true);
   headless_.settle();
   EXPECT_GT(differing_pixels(left_in_front, headless_.canvas_picture()), 100);
 }
 
 TEST_F(Depth, TheFieldOfTheSelectedHandlesTakesANumberWithEnter) {
-  editor().select({0, 1});
+  editor().selection().select({0, 1});
   headless_.settle();
   // Below the rows of the two handles.
   for (double y = 320; y < 400 && depth(0) != 2.5; y += 10) {

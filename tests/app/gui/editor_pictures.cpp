@@ -37,7 +37,7 @@ void begin_drag(HeadlessEditor& headless, const Vec2& from, const Vec2& by) {
 
 void end_drag(HeadlessEditor& headless, const Vec2& at) {
   headless.release(at);
-  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  headless.wait_until([&] { return !headless.editor().playback().is_solving(); }, 20);
   headless.calm_down();
 }
 
@@ -61,7 +61,7 @@ void draw_dialogs(HeadlessEditor& headless, const std::filesystem::path& folder)
   shoot("menu.png");
   headless.key(Key::escape);
   headless.click({640, 400});
-  headless.editor().close();
+  headless.editor().files().close();
   headless.settle();
   shoot("unsaved.png");
   headless.key(Key::escape);
@@ -74,25 +74,25 @@ void draw_all(const std::filesystem::path& folder) {
     save_png(folder / name, headless.picture());
   };
   shoot("empty.png");
-  headless.editor().open_sample(welcome_scene());
+  headless.editor().files().open_sample(welcome_scene());
   headless.settle();
-  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  headless.wait_until([&] { return !headless.editor().playback().is_solving(); }, 20);
   shoot("start.png");
   const Vec2 by{-60, -170};
   const Vec2 from = right_hand(headless);
-  headless.editor().set_pace(4);
+  headless.editor().playback().set_pace(4);
   begin_drag(headless, from, by);
-  headless.wait_until([&] { return headless.editor().iterations().size() >= 2; }, 5);
+  headless.wait_until([&] { return headless.editor().playback().iterations().size() >= 2; }, 5);
   shoot("drag.png");
-  headless.editor().set_pace(std::nullopt);
+  headless.editor().playback().set_pace(std::nullopt);
   end_drag(headless, from + by);
   shoot("bent.png");
-  headless.editor().view().layers.heat = true;
+  headless.editor().view().options().layers.heat = true;
   headless.move(from + by * 0.5);
   shoot("heat.png");
   headless.ui().settings().theme = Theme::light;
   shoot("heat-light.png");
-  headless.editor().view().layers.heat = false;
+  headless.editor().view().options().layers.heat = false;
   shoot("light.png");
   headless.ui().settings().theme = Theme::contrast;
   shoot("contrast.png");
@@ -110,10 +110,10 @@ void draw_comparisons(const std::filesystem::path& folder) {
     headless.settle();
     save_png(folder / name, headless.picture());
   };
-  headless.editor().open_sample(data_path("assets/scenes/figure3_flipped_edges.json"));
+  headless.editor().files().open_sample(data_path("assets/scenes/figure3_flipped_edges.json"));
   headless.settle();
-  headless.editor().toggle_pause();
-  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  headless.editor().playback().toggle_pause();
+  headless.wait_until([&] { return !headless.editor().playback().is_solving(); }, 20);
   const Theme themes[] = {Theme::dark, Theme::light, Theme::contrast};
   const char* names[] = {"dark", "light", "contrast"};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -123,7 +123,7 @@ void draw_comparisons(const std::filesystem::path& folder) {
     headless.move({rest.x + rest.width * 0.7, rest.y + rest.height * 0.5});
     shoot(std::string("diff-") + names[i] + ".png");
     headless.key(Key::d);
-    headless.editor().view().layers.heat = i == 0;
+    headless.editor().view().options().layers.heat = i == 0;
     headless.key(Key::m);
     headless.wait_until([&] { return headless.editor().race().is_finished(); }, 20);
     headless.move({200, 600});
@@ -145,20 +145,20 @@ void draw_folded(const std::filesystem::path& folder) {
   Editor& editor = headless.editor();
   open_folding_disk(headless, "injective-projection");
   for (const char* name : {"folded-1.png", "folded-2.png"}) {
-    const std::size_t done = editor.iterations().size();
-    editor.step_forward();
-    headless.wait_until([&] { return editor.iterations().size() > done; }, 20);
+    const std::size_t done = editor.playback().iterations().size();
+    editor.playback().step_forward();
+    headless.wait_until([&] { return editor.playback().iterations().size() > done; }, 20);
     headless.calm_down();
     save_png(folder / name, headless.picture());
   }
   headless.ui().settings().theme = Theme::light;
-  editor.toggle_pause();
-  headless.wait_until([&] { return !editor.is_solving(); }, 20);
+  editor.playback().toggle_pause();
+  headless.wait_until([&] { return !editor.playback().is_solving(); }, 20);
   headless.calm_down();
   save_png(folder / "unfolded-light.png", headless.picture());
-  editor.set_method("bounded-conformal");
-  editor.set_parameter(*find_parameter_row("start"), 0);
-  headless.wait_until([&] { return !editor.is_solving(); }, 20);
+  editor.edits().set_method("bounded-conformal");
+  editor.edits().set_parameter(*find_parameter_row("start"), 0);
+  headless.wait_until([&] { return !editor.playback().is_solving(); }, 20);
   headless.settle();
   save_png(folder / "infeasible-light.png", headless.picture());
 }
@@ -166,13 +166,13 @@ void draw_folded(const std::filesystem::path& folder) {
 /// A handle that cannot get through, and what the editor says to it.
 void draw_stuck(const std::filesystem::path& folder) {
   HeadlessEditor headless;
-  headless.editor().open_sample(data_path("assets/scenes/figure1_blocked_edge.json"));
+  headless.editor().files().open_sample(data_path("assets/scenes/figure1_blocked_edge.json"));
   Document document = start_of_race(headless.editor().document(), true);
   document.parameters.method = "paper-noflip";
-  headless.editor().begin_edit();
-  headless.editor().apply(document, Change::mesh);
-  headless.editor().commit("Without flips");
-  headless.wait_until([&] { return headless.editor().stuck_handle() != nullptr; }, 20);
+  headless.editor().draft().begin_edit();
+  headless.editor().draft().apply(document, Change::mesh);
+  headless.editor().draft().commit("Without flips");
+  headless.wait_until([&] { return headless.editor().stuck().handle() != nullptr; }, 20);
   headless.calm_down();
   save_png(folder / "stuck-dark.png", headless.picture());
   headless.ui().settings().theme = Theme::light;
@@ -182,7 +182,7 @@ void draw_stuck(const std::filesystem::path& folder) {
   headless.ui().settings().scale = 1;
   headless.settle();
   headless.key(Key::f, {.shift = true});
-  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  headless.wait_until([&] { return !headless.editor().playback().is_solving(); }, 20);
   headless.calm_down();
   save_png(folder / "stuck-flipped.png", headless.picture());
 }
@@ -192,10 +192,10 @@ void draw_import(const std::filesystem::path& image, const std::filesystem::path
   HeadlessEditor headless;
   Editor& editor = headless.editor();
   const auto shoot = [&](const char* name) { save_png(folder / name, headless.picture()); };
-  editor.open(image);
+  editor.files().open(image);
   headless.settle();
   shoot("import-reading.png");
-  headless.wait_until([&] { return editor.image_import().is_ready(); }, 20);
+  headless.wait_until([&] { return editor.files().image_import().is_ready(); }, 20);
   shoot("import.png");
   headless.ui().settings().theme = Theme::light;
   headless.settle();
@@ -234,9 +234,9 @@ void draw_hidpi(const std::filesystem::path& folder) {
   HeadlessEditor headless({2560, 1600});
   headless.set_content_scale(2);
   headless.settle();
-  headless.editor().open_sample(welcome_scene());
+  headless.editor().files().open_sample(welcome_scene());
   headless.settle();
-  headless.wait_until([&] { return !headless.editor().is_solving(); }, 20);
+  headless.wait_until([&] { return !headless.editor().playback().is_solving(); }, 20);
   headless.settle();
   save_png(folder / "scale-200.png", headless.picture());
 }

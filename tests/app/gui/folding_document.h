@@ -32,9 +32,9 @@ inline void open_folding_disk(HeadlessEditor& headless, std::string_view method)
   for (const int v : disk_ring(options, 4)) add(v, turn * shape.rest.col(v));
   const TemporaryFolder folder;
   save_scene(scene, folder / "disk.json");
-  headless.editor().open_shape(shape, "disk");
-  headless.editor().toggle_pause();  // and so it stays
-  headless.editor().open(folder / "disk.json");
+  headless.editor().files().open_shape(shape, "disk");
+  headless.editor().playback().toggle_pause();  // and so it stays
+  headless.editor().files().open(folder / "disk.json");
   headless.calm_down();
 }
 

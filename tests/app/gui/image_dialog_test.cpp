@@ -16,8 +16,9 @@ class ImageDialog : public testing::Test {
   std::filesystem::path ring() const { return folder_.path() / "ring.png"; }
   Editor& editor() { return headless_.editor(); }
   void open() {
-    editor().open(ring());
-    ASSERT_TRUE(headless_.wait_until([this] { return editor().image_import().is_ready(); }));
+    editor().files().open(ring());
+    ASSERT_TRUE(
+        headless_.wait_until([this] { return editor().files().image_import().is_ready(); }));
   }
   /// The pixel of the window over a point of the mesh's plane.
   const std::uint8_t* pixel(const Image& picture, const Vec2& world) {
@@ -63,7 +64,7 @@ TEST_F(ImageDialog, ComesUpForAPictureThatIsChosenInTheFileBrowser) {
   headless_.key(Key::o, {.control = true});
   headless_.type(ring().string());
   headless_.key(Key::enter);
-  ASSERT_TRUE(headless_.wait_until([this] { return editor().image_import().is_ready(); }));
+  ASSERT_TRUE(headless_.wait_until([this] { return editor().files().image_import().is_ready(); }));
   EXPECT_TRUE(editor().document().is_empty()) << "the Enter that chose it must not take it";
   headless_.key(Key::enter);
   EXPECT_EQ(editor().document().name, "ring");
@@ -74,7 +75,7 @@ TEST_F(ImageDialog, EscapeLeavesTheScreenAsItWas) {
   open();
   headless_.key(Key::escape);
   headless_.calm_down();
-  EXPECT_FALSE(editor().image_import().is_open());
+  EXPECT_FALSE(editor().files().image_import().is_open());
   EXPECT_EQ(differing_pixels(before, headless_.picture()), 0);
 }
 
@@ -86,7 +87,7 @@ TEST_F(ImageDialog, TheMouseDoesNotReachTheDocumentBehindIt) {
   headless_.click(headless_.window_point({240, 150}));
   headless_.key(Key::tab);
   EXPECT_TRUE(editor().document().handles.empty());
-  EXPECT_FALSE(editor().is_mesh_shown());
+  EXPECT_FALSE(editor().view().is_mesh_shown());
 }
 
 TEST_F(ImageDialog, ADraggedPinTakesThePictureWithIt) {
@@ -98,12 +99,12 @@ TEST_F(ImageDialog, ADraggedPinTakesThePictureWithIt) {
   headless_.press(from);
   for (int k = 1; k <= 5; ++k) headless_.move(from + k * Vec2(12, 0));
   headless_.release(from + Vec2(60, 0));
-  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
   headless_.calm_down();
-  EXPECT_EQ(editor().proof().inverted, 0);
+  EXPECT_EQ(editor().draft().proof().inverted, 0);
   const Vec2 target = find_handle(editor().document(), 1)->target;
   EXPECT_GT(target.x(), 260);
-  editor().view().layers.handles = false;
+  editor().view().options().layers.handles = false;
   headless_.calm_down();
   const Image picture = headless_.picture();
   const std::uint8_t* drawn = pixel(picture, target);
@@ -112,11 +113,11 @@ TEST_F(ImageDialog, ADraggedPinTakesThePictureWithIt) {
 
 TEST_F(ImageDialog, AnImageOfTwentyFourMegapixelsDoesNotHoldUpTheWindow) {
   save_png(folder_.path() / "large.png", painted(opaque_map(6000, 4000)));
-  editor().open(folder_.path() / "large.png");
+  editor().files().open(folder_.path() / "large.png");
   int frames = 0;
   const bool ready = headless_.wait_until([&] {
     ++frames;
-    return editor().image_import().is_ready();
+    return editor().files().image_import().is_ready();
   });
   EXPECT_TRUE(ready);
   EXPECT_GT(frames, 5) << "the window goes on while the image is read";

@@ -18,7 +18,7 @@ std::size_t occurrences(const std::string& text, const std::string& word) {
 
 TEST(PlotExport, DrawsAPictureForEverySeriesThatIsOn) {
   Editor editor;
-  editor.open_shape(bar(4, 1, 4), "bar");
+  editor.files().open_shape(bar(4, 1, 4), "bar");
   std::array<bool, 8> shown{};
   shown[0] = shown[3] = shown[6] = true;
   const std::string svg = convergence_svg(editor, shown);

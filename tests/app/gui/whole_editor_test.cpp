@@ -24,7 +24,7 @@ class WholeEditor : public testing::Test {
     folder_ = name;
     const Shape shape = bar(4, 1, 5);
     write_mesh(folder_ / "bar.obj", shape.triangles, shape.rest);
-    headless_.editor().open(folder_ / "bar.obj");
+    headless_.editor().files().open(folder_ / "bar.obj");
     headless_.calm_down();
     ASSERT_FALSE(headless_.editor().document().is_empty());
     left_ = nearest_vertex({0, 0.5});
@@ -54,7 +54,7 @@ class WholeEditor : public testing::Test {
   void place_two_handles() {
     click_vertex(left_);
     click_vertex(right_);
-    ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+    ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
     deselect();
   }
   /// Drags the right handle by (dx, dy) window coordinates and waits for the solver.
@@ -64,7 +64,7 @@ class WholeEditor : public testing::Test {
     headless_.move(from + by / 2);
     headless_.move(from + by);
     headless_.release(from + by);
-    ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+    ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
     deselect();
   }
   void save_by_keyboard(const std::filesystem::path& path) {
@@ -85,7 +85,7 @@ TEST_F(WholeEditor, PlacesDragsConvergesUndoesRedoesSavesAndReloads) {
   const Image empty = headless_.canvas_picture();
 
   place_two_handles();
-  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
   ASSERT_EQ(editor().document().handles.size(), 2U);
   const Image placed = headless_.canvas_picture();
   EXPECT_GT(differing_pixels(empty, placed), 50) << "two handles should be seen";
@@ -97,7 +97,7 @@ TEST_F(WholeEditor, PlacesDragsConvergesUndoesRedoesSavesAndReloads) {
   drag_right_handle({-60, -150});
   EXPECT_EQ(editor().status().kind, StatusKind::converged) << editor().status().words;
   EXPECT_LT((headless_.position(right_) - target).norm(), 1e-4);
-  EXPECT_EQ(editor().proof().inverted, 0);
+  EXPECT_EQ(editor().draft().proof().inverted, 0);
   EXPECT_TRUE(is_valid());
   const Points bent = editor().shown()->deformed;
   const Image bent_picture = headless_.canvas_picture();
@@ -114,10 +114,10 @@ TEST_F(WholeEditor, PlacesDragsConvergesUndoesRedoesSavesAndReloads) {
   EXPECT_EQ(differing_pixels(headless_.canvas_picture(), bent_picture), 0);
 
   const auto file = folder_ / "bent.json";
-  EXPECT_TRUE(editor().is_dirty());
+  EXPECT_TRUE(editor().files().is_dirty());
   save_by_keyboard(file);
   ASSERT_TRUE(std::filesystem::exists(file));
-  EXPECT_FALSE(editor().is_dirty());
+  EXPECT_FALSE(editor().files().is_dirty());
 
   headless_.key(Key::n, kControl);
   headless_.calm_down();
@@ -134,8 +134,8 @@ TEST_F(WholeEditor, PlacesDragsConvergesUndoesRedoesSavesAndReloads) {
 
 TEST_F(WholeEditor, UnderFoldlessAHandleStaysUnderThePointerWhileItIsDragged) {
   place_two_handles();
-  editor().set_method("foldless");
-  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  editor().edits().set_method("foldless");
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
   Vec2 pointer = headless_.window_point(headless_.position(right_));
   headless_.press(pointer);
   for (int k = 0; k < 12; ++k) {
@@ -147,12 +147,12 @@ TEST_F(WholeEditor, UnderFoldlessAHandleStaysUnderThePointerWhileItIsDragged) {
         << "move " << k;
     ASSERT_TRUE(is_valid()) << "move " << k;
   }
-  EXPECT_TRUE(editor().is_editing()) << "the button is still down";
-  EXPECT_TRUE(std::ranges::any_of(editor().iterations(), [](const Iteration& iteration) {
+  EXPECT_TRUE(editor().draft().is_editing()) << "the button is still down";
+  EXPECT_TRUE(std::ranges::any_of(editor().playback().iterations(), [](const Iteration& iteration) {
     return iteration.phase == Phase::pursue;
   }));
   headless_.release(pointer);
-  ASSERT_TRUE(headless_.wait_until([this] { return !editor().is_solving(); }));
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
   EXPECT_EQ(editor().status().kind, StatusKind::converged) << editor().status().words;
 }
 
@@ -163,9 +163,9 @@ TEST_F(WholeEditor, ShowsTheGhostWhileDraggingAndEscapeTakesTheDragBack) {
   headless_.press(from);
   headless_.move(from + Vec2(0, -40));
   headless_.move(from + Vec2(0, -120));
-  EXPECT_TRUE(editor().is_editing());
+  EXPECT_TRUE(editor().draft().is_editing());
   headless_.key(Key::escape);
-  EXPECT_FALSE(editor().is_editing());
+  EXPECT_FALSE(editor().draft().is_editing());
   headless_.release(from + Vec2(0, -120));
   headless_.calm_down();
   EXPECT_EQ(editor().shown()->deformed, before);
@@ -183,9 +183,9 @@ TEST_F(WholeEditor, AsksBeforeUnsavedChangesAreLost) {
   place_two_handles();
   headless_.key(Key::q, kControl);
   EXPECT_FALSE(headless_.ui().wants_to_quit());
-  ASSERT_NE(editor().question(), nullptr);
+  ASSERT_NE(editor().files().question(), nullptr);
   headless_.key(Key::escape);
-  EXPECT_EQ(editor().question(), nullptr);
+  EXPECT_EQ(editor().files().question(), nullptr);
   EXPECT_FALSE(headless_.ui().wants_to_quit());
   EXPECT_EQ(editor().document().handles.size(), 2U);
 }
@@ -193,7 +193,7 @@ TEST_F(WholeEditor, AsksBeforeUnsavedChangesAreLost) {
 TEST_F(WholeEditor, ShowsTheQuestionThoughNoEventFollowsTheCloseButton) {
   place_two_handles();
   const Image before = headless_.picture();
-  editor().close();
+  editor().files().close();
   headless_.settle();
   EXPECT_GT(differing_pixels(before, headless_.picture()), 10000);
 }
@@ -213,15 +213,15 @@ TEST_F(WholeEditor, WritesNumberedPicturesOfTheCanvas) {
 TEST_F(WholeEditor, FindsAndRunsACommandByItsLetters) {
   headless_.key(Key::k, kControl);
   headless_.type("heat map");
-  EXPECT_FALSE(editor().view().layers.heat) << "typing must not switch layers";
+  EXPECT_FALSE(editor().view().options().layers.heat) << "typing must not switch layers";
   headless_.key(Key::enter);
-  EXPECT_TRUE(editor().view().layers.heat);
+  EXPECT_TRUE(editor().view().options().layers.heat);
 }
 
 TEST_F(WholeEditor, HitsTheSamePlacesAtTwiceTheScale) {
   headless_.set_content_scale(2);
   headless_.settle();
-  editor().fit_all();
+  editor().view().fit_all();
   place_two_handles();
   ASSERT_EQ(editor().document().handles.size(), 2U);
   EXPECT_EQ(editor().document().handles[0].vertex, left_);

@@ -2,27 +2,27 @@
 #include <filesystem>
 #include <system_error>
 
-#include "app/editor/editor.h"
+#include "app/editor/document_files.h"
 
 namespace foldless {
 
-void Editor::take_image() {
+void DocumentFiles::take_image() {
   takes_image_ = import_.is_open();
   update_import();
 }
 
-void Editor::close_import() {
+void DocumentFiles::close_import() {
   takes_image_ = false;
   if (!import_.is_open()) return;
   import_.close();
-  redraw();
+  messages_.redraw();
 }
 
-void Editor::update_import() {
-  if (import_.poll()) redraw();
+void DocumentFiles::update_import() {
+  if (import_.poll()) messages_.redraw();
   if (!import_.problem().empty()) takes_image_ = false;
   if (import_.is_open() && !import_.image() && !import_.is_busy()) {
-    toast(ToastKind::error, import_.problem());
+    messages_.toast(ToastKind::error, import_.problem());
     std::error_code error;
     if (!std::filesystem::exists(import_.file(), error)) recent_.remove(import_.file());
     return close_import();
@@ -32,17 +32,16 @@ void Editor::update_import() {
   const Document document = import_.mesh()->document;
   texture_image_.adopt(image->file, image->texture);
   install(document, "Open " + image->file.filename().string());
-  view_.layers = {.wireframe = false, .boundary = false};  // the picture alone
-  path_.clear();
-  mark_saved();
+  view_.options().layers = {.wireframe = false, .boundary = false};  // the picture alone
   recent_.add(image->file);
 }
 
-void Editor::follow_texture() {
-  texture_image_.follow(document_.texture);
+void DocumentFiles::follow_texture() {
+  texture_image_.follow(draft_.document().texture);
   if (!texture_image_.poll()) return;
-  redraw();
-  if (!texture_image_.problem().empty()) toast(ToastKind::error, texture_image_.problem());
+  messages_.redraw();
+  if (!texture_image_.problem().empty())
+    messages_.toast(ToastKind::error, texture_image_.problem());
 }
 
 }  // namespace foldless

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/status.h"
+#include <algorithm>
+
 #include <algorithm>
 #include <string>
 
-#include "app/editor/editor.h"
+#include "app/editor/draft.h"
+#include "app/editor/handle_view.h"
 #include "core/method/map_words.h"
 #include "core/method/methods.h"
 
@@ -17,11 +21,11 @@ std::string locked_words(const Iteration& last) {
   return {};
 }
 
-std::string solving_words(const Editor& editor) {
-  const Parameters& parameters = editor.document().parameters;
+std::string solving_words(const Draft& draft) {
+  const Parameters& parameters = draft.document().parameters;
   std::string words = "Solving";
-  if (editor.iterations().empty()) return words;
-  const Iteration& last = editor.iterations().back();
+  if (draft.solving().iterations().empty()) return words;
+  const Iteration& last = draft.solving().iterations().back();
   if (const std::string locked = locked_words(last); !locked.empty()) return words + locked;
   if (last.phase == Phase::coarse) words.append(" on a coarser mesh first");
   const MethodRow* method = find_method(parameters.method);
@@ -71,14 +75,15 @@ Status paused(const Document& document, const Solving& solving) {
   return status;
 }
 
-Status in_words(const Editor& editor, const Solving& solving) {
-  const Document& document = editor.document();
+Status in_words(const Draft& draft) {
+  const Document& document = draft.document();
+  const Solving& solving = draft.solving();
   if (document.is_empty()) return {StatusKind::empty, "Nothing is open"};
   if (document.handles.empty()) return {StatusKind::ready, "Ready"};
   if (!solving.error().empty() && solving.state() != SolvingState::held)
     return {StatusKind::failed, solving.error()};
   switch (solving.state()) {
-    case SolvingState::running: return {StatusKind::solving, solving_words(editor)};
+    case SolvingState::running: return {StatusKind::solving, solving_words(draft)};
     case SolvingState::paused: return paused(document, solving);
     case SolvingState::stopped: return {StatusKind::stopped, "Stopped"};
     case SolvingState::held:
@@ -89,10 +94,10 @@ Status in_words(const Editor& editor, const Solving& solving) {
 
 }  // namespace
 
-Status Editor::status() const {
-  Status status = in_words(*this, solving_);
-  if (shown_) status.words = marked(*shown_, status.words);
-  for (const HandleView& handle : handle_views())
+Status status_of(const Draft& draft) {
+  Status status = in_words(draft);
+  if (draft.shown()) status.words = marked(*draft.shown(), status.words);
+  for (const HandleView& handle : handle_views(draft))
     status.residual = std::max(status.residual, handle.residual);
   return status;
 }

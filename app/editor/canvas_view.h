@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/editor/canvas.h"
+#include "app/editor/draft.h"
+#include "app/editor/messages.h"
+#include "app/editor/remesh_diff.h"
+#include "render/view_options.h"
+
+namespace foldless {
+
+/// How a draft is seen: camera, layers, the rest mesh beside it.
+class CanvasView {
+ public:
+  /// Keeps references.
+  CanvasView(const Draft& draft, Messages& messages) : draft_(draft), messages_(messages) {}
+
+  const Canvas& canvas() const { return canvas_; }
+  /// Size of the canvas in framebuffer pixels and framebuffer pixels in one design pixel. The
+  /// first size fits the mesh into it.
+  void resize(int width, int height, double ui_scale);
+
+  /// As the user set them; change them freely.
+  ViewOptions& options() { return options_; }
+  const ViewOptions& options() const { return options_; }
+  /// Those to draw with: the user's, without overlays while H is held.
+  ViewOptions shown_options() const;
+  /// Edges and outline of the mesh, or the picture alone.
+  void show_mesh(bool shown);
+  void toggle_mesh() { show_mesh(!is_mesh_shown()); }
+  bool is_mesh_shown() const { return options_.layers.wireframe || options_.layers.boundary; }
+  void hide_overlays(bool hidden);
+  bool are_overlays_hidden() const { return overlays_hidden_; }
+
+  void set_camera(const Camera& camera);
+  void fit_all();
+  void fit_selection();
+  void zoom(double factor);  ///< about the middle of the canvas
+  /// 100 design pixels a unit of length; one a pixel of the image where a mesh was made of one.
+  void actual_size();
+
+  // The rest mesh beside the deformed one.
+
+  const RemeshDiff& remesh_diff() const { return remesh_diff_; }
+  void toggle_remesh_diff();
+  void toggle_link();
+  /// Moves the pane of the rest mesh, and the canvas with it when they are linked.
+  void set_rest_camera(const Camera& camera);
+
+  /// What a scene file keeps of it.
+  nlohmann::json json() const;
+  void read(const nlohmann::json& json);
+
+ private:
+  const Draft& draft_;
+  Messages& messages_;
+  Canvas canvas_;
+  bool needs_fit_ = true;  ///< as soon as there is a canvas
+  ViewOptions options_;
+  bool overlays_hidden_ = false;
+  RemeshDiff remesh_diff_;
+};
+
+}  // namespace foldless

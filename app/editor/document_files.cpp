@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/document_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "app/editor/scene_document.h"
+#include "core/files/mesh_io.h"
+#include "core/method/methods.h"
+#include "core/scene/scene_io.h"
+
+namespace foldless {
+namespace {
+
+bool is_image_file(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  static constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".jpeg", ".webp"};
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+std::filesystem::path full_path(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path result = std::filesystem::absolute(path, error);
+  return (error ? path : result).lexically_normal();
+}
+
+std::vector<std::string_view> method_names() {
+  std::vector<std::string_view> names;
+  for (const MethodRow& row : methods()) names.push_back(row.name);
+  return names;
+}
+
+}  // namespace
+
+DocumentFiles::DocumentFiles(const Parts& parts, const std::filesystem::path& recent_file,
+                             const std::function<void()>& wake)
+    : draft_(parts.draft),
+      view_(parts.view),
+      race_(parts.race),
+      messages_(parts.messages),
+      recent_(recent_file),
+      import_(wake),
+      texture_image_(wake) {
+  mark_saved();
+}
+
+void DocumentFiles::update() {
+  update_import();
+  follow_texture();
+}
+
+void DocumentFiles::open(const std::filesystem::path& path) {
+  ask_or_perform({PendingKind::open, full_path(path)});
+}
+
+void DocumentFiles::drop(const std::filesystem::path& path) {
+  if (is_image_file(path) && !draft_.document().is_empty() && !import_.is_open())
+    return set_texture(path);
+  open(path);
+}
+
+void DocumentFiles::open_sample(const std::filesystem::path& path) {
+  ask_or_perform({PendingKind::open, full_path(path), true});
+}
+
+void DocumentFiles::new_document() { ask_or_perform({PendingKind::new_document, {}}); }
+
+void DocumentFiles::close() { ask_or_perform({PendingKind::close, {}}); }
+
+void DocumentFiles::ask_or_perform(PendingAction action) {
+  draft_.interrupt();
+  pending_ = std::move(action);
+  is_asking_ = is_dirty();
+  if (!is_asking_) perform_pending();
+  messages_.redraw();
+}
+
+void DocumentFiles::open_shape(Shape shape, const std::string& name) {
+  draft_.interrupt();
+  install(document_of(std::move(shape), name), "Open " + name);
+}
+
+void DocumentFiles::answer(Answer answer) {
+  is_asking_ = false;
+  messages_.redraw();
+  if (!pending_) return;
+  if (answer == Answer::cancel) pending_.reset();
+  if (answer == Answer::discard) perform_pending();
+  if (answer == Answer::save) save();
+}
+
+void DocumentFiles::perform_pending() {
+  const PendingAction action = *std::exchange(pending_, std::nullopt);
+  switch (action.kind) {
+    case PendingKind::open: return load(action);
+    case PendingKind::close: return messages_.request(Request::quit);
+    case PendingKind::new_document: break;
+  }
+  install(empty_document(), "New");
+}
+
+void DocumentFiles::load(const PendingAction& action) {
+  const std::filesystem::path& path = action.path;
+  if (is_image_file(path)) return import_.open(path);
+  try {
+    if (is_mesh_file(path))
+      open_mesh(path);
+    else
+      open_scene(path);
+    if (action.is_sample)
+      path_.clear();
+    else
+      recent_.add(path);
+  } catch (const std::exception& failure) {
+    messages_.toast(ToastKind::error, failure.what());
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) recent_.remove(path);
+  }
+}
+
+void DocumentFiles::open_mesh(const std::filesystem::path& path) {
+  LoadedMesh mesh = read_mesh(path);
+  Shape shape{std::move(mesh.triangles), std::move(mesh.points)};
+  install(document_of(std::move(shape), path.stem().string()), "Open " + path.filename().string());
+  for (std::string& notice : mesh.notices) messages_.toast(ToastKind::notice, std::move(notice));
+}
+
+void DocumentFiles::open_scene(const std::filesystem::path& path) {
+  const auto [scene, notices] = load_scene(path, method_names());
+  install(document_of(scene, path), "Open " + path.filename().string());
+  if (scene.view) view_.read(*scene.view);
+  path_ = path;
+  for (const std::string& notice : notices) messages_.toast(ToastKind::notice, notice);
+  if (scene.state) return;
+  // Nothing is lost when the solver goes on from a scene without a state.
+  saved_pose_ = nullptr;
+  if (!is_at_targets(draft_.document())) draft_.solving().start(draft_.document());
+}
+
+void DocumentFiles::install(const Document& document, const std::string& label) {
+  race_.close();
+  close_import();
+  if (document.texture.empty() != draft_.document().texture.empty())
+    view_.show_mesh(document.texture.empty());
+  draft_.install(document, label);
+  view_.fit_all();
+  path_.clear();
+  mark_saved();
+}
+
+void DocumentFiles::mark_saved() {
+  draft_.seal();
+  saved_step_ = draft_.history().current_id();
+  saved_pose_ = draft_.document().pose;
+}
+
+bool DocumentFiles::is_dirty() const {
+  if (draft_.document().is_empty() && draft_.history().steps().size() == 1) return false;
+  return draft_.history().current_id() != saved_step_ ||
+         (saved_pose_ && saved_pose_ != draft_.document().pose);
+}
+
+void DocumentFiles::save() {
+  if (draft_.document().is_empty()) return;
+  if (path_.empty()) return messages_.request(Request::save_dialog);
+  save_as(path_);
+}
+
+bool DocumentFiles::save_as(const std::filesystem::path& path) {
+  draft_.interrupt();
+  if (draft_.document().is_empty()) return false;
+  std::filesystem::path file = full_path(path);
+  if (file.extension().empty()) file += ".json";
+  try {
+    auto view = std::make_shared<const nlohmann::json>(view_.json());
+    save_scene(scene_of(draft_.document(), file, std::move(view)), file);
+  } catch (const std::exception& failure) {
+    pending_.reset();
+    messages_.toast(ToastKind::error, failure.what());
+    return false;
+  }
+  path_ = file;
+  mark_saved();
+  recent_.add(file);
+  messages_.toast(
+      ToastKind::notice,
+      "Saved " + file.filename().string() +
+          (draft_.is_ahead_of_document() ? " with the last valid map, not the folded one" : ""));
+  if (pending_ && !is_asking_) perform_pending();
+  return true;
+}
+
+std::string DocumentFiles::title() const {
+  const std::string name = path_.empty() ? draft_.document().name : path_.filename().string();
+  return (is_dirty() ? "\u25cf " : "") + (name.empty() ? "Untitled" : name);
+}
+
+void DocumentFiles::set_texture(const std::filesystem::path& path) {
+  draft_.interrupt();
+  if (draft_.document().is_empty())
+    return messages_.toast(ToastKind::error,
+                           "Open a mesh or an image first: then its texture can be chosen");
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    return messages_.toast(ToastKind::error,
+                           path.string() + ": there is no such file; choose another image");
+  Document document = draft_.document();
+  document.texture = full_path(path);
+  draft_.edit("Texture", std::move(document), Change::appearance);
+}
+
+void DocumentFiles::clear_texture() {
+  draft_.interrupt();
+  if (draft_.document().texture.empty()) return;
+  Document document = draft_.document();
+  document.texture.clear();
+  draft_.edit("Remove texture", std::move(document), Change::appearance);
+}
+
+}  // namespace foldless

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/canvas_view.h"
+#include "app/editor/draft.h"
+#include "app/editor/image_import.h"
+#include "app/editor/messages.h"
+#include "app/editor/race.h"
+#include "app/editor/recent_files.h"
+#include "app/editor/texture_image.h"
+
+namespace foldless {
+
+/// What waits for the question about unsaved changes.
+enum class PendingKind { new_document, open, close };
+struct PendingAction {
+  PendingKind kind = PendingKind::new_document;
+  std::filesystem::path path;  ///< to open
+  bool is_sample = false;      ///< to be saved elsewhere
+};
+enum class Answer { save, discard, cancel };
+
+/// Where a draft comes from and goes to: scene, mesh and image files, and whether it is saved.
+/// Never throws on bad files: it shows a toast.
+class DocumentFiles {
+ public:
+  /// What it works on; kept as it is.
+  struct Parts {
+    Draft& draft;
+    CanvasView& view;
+    Race& race;
+    Messages& messages;
+  };
+  /// `recent_file` is where the list of recent files is kept; empty: nowhere. `wake` is called on
+  /// other threads when update() has news.
+  DocumentFiles(const Parts& parts, const std::filesystem::path& recent_file,
+                const std::function<void()>& wake);
+
+  /// Opens a scene or a mesh, or begins to import an image, by its extension; asks first when
+  /// there are unsaved changes.
+  void open(const std::filesystem::path& path);
+  /// As open(), but an image becomes the texture of the mesh where there is one.
+  void drop(const std::filesystem::path& path);
+  /// Opens a scene as a copy without a path: saving asks where to, and it is not a recent file.
+  void open_sample(const std::filesystem::path& path);
+  /// Opens a mesh that was made, not read; unsaved changes are dropped. Precondition: valid.
+  void open_shape(Shape shape, const std::string& name);
+  void new_document();
+  /// The window's close button: Request::quit, or a question first.
+  void close();
+  const std::vector<std::filesystem::path>& recent() const { return recent_.paths(); }
+
+  void save();
+  /// Writes a scene file; `.json` is added where the name has no extension. False when that fails.
+  bool save_as(const std::filesystem::path& path);
+  /// Of the scene file; empty: never saved.
+  const std::filesystem::path& path() const { return path_; }
+  bool is_dirty() const;
+  /// "scene.json" or the mesh's name, with "● " in front when there is something to save.
+  std::string title() const;
+  /// The action that waits for an answer about unsaved changes, or null.
+  const PendingAction* question() const { return is_asking_ ? &*pending_ : nullptr; }
+  /// Answers the question; `cancel` also when the dialog that asks for a path was dismissed.
+  void answer(Answer answer);
+
+  /// The image that is being made a document of.
+  ImageImport& image_import() { return import_; }
+  const ImageImport& image_import() const { return import_; }
+  /// Makes it the document, at once or as soon as its mesh is ready.
+  void take_image();
+  /// Leaves the document as it was.
+  void close_import();
+
+  void set_texture(const std::filesystem::path& path);
+  void clear_texture();
+  /// The image of the document's texture, or null: none, or not read yet.
+  const TextureImage& texture_image() const { return texture_image_; }
+
+  /// Takes what was read meanwhile.
+  void update();
+
+ private:
+  void ask_or_perform(PendingAction action);
+  void perform_pending();
+  void load(const PendingAction& action);
+  void open_mesh(const std::filesystem::path& path);
+  void open_scene(const std::filesystem::path& path);
+  /// A new document, saved nowhere yet.
+  void install(const Document& document, const std::string& label);
+  void mark_saved();
+  void update_import();
+  void follow_texture();
+
+  Draft& draft_;
+  CanvasView& view_;
+  Race& race_;
+  Messages& messages_;
+  RecentFiles recent_;
+  std::filesystem::path path_;
+  std::uint64_t saved_step_ = 0;
+  std::shared_ptr<const Snapshot> saved_pose_;  ///< null: any, the file holds none
+  std::optional<PendingAction> pending_;
+  bool is_asking_ = false;
+  ImageImport import_;
+  bool takes_image_ = false;  ///< as soon as it is ready
+  TextureImage texture_image_;
+};
+
+}  // namespace foldless

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/handle_view.h"
+
+#include "app/editor/draft.h"
+
+namespace foldless {
+
+std::vector<HandleView> handle_views(const Draft& draft) {
+  std::vector<HandleView> views;
+  if (!draft.shown()) return views;
+  const Selection& selection = draft.selection();
+  const double tolerance = target_tolerance(draft.document());
+  for (const Handle& handle : draft.shown()->handles) {
+    HandleView view{handle.id, handle.vertex, handle.kind};
+    view.position = draft.shown()->deformed.col(handle.vertex);
+    view.target = handle.target;
+    view.residual = (view.target - view.position).norm();
+    view.is_at_target = view.residual <= tolerance;
+    view.is_selected = selection.ids().contains(handle.id);
+    view.is_hovered = selection.hovered() == handle.id;
+    views.push_back(view);
+  }
+  return views;
+}
+
+}  // namespace foldless
