@@ -5,14 +5,9 @@
 #include <functional>
 #include <optional>
 
-namespace foldless {
+#include "app/exit_status.h"
 
-/// Exit statuses of every call.
-inline constexpr int kExitDone = 0;          ///< done, and every handle satisfied
-inline constexpr int kExitNotSatisfied = 1;  ///< ran to its end, but not so; results are written
-/// Bad input or usage, and nothing was written; or what was printed did not arrive.
-inline constexpr int kExitBadInput = 2;
-inline constexpr int kExitInterrupted = 130;  ///< interrupted; the last valid mesh is written
+namespace foldless {
 
 /// Opens the editor on a scene, mesh or image, or on the built-in sample, and returns the exit
 /// status when the window was closed. May throw Error.

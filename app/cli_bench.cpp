@@ -18,11 +18,11 @@
 #include "app/bench/scale_suite.h"
 #include "app/cli.h"
 #include "app/cli_calls.h"
-#include "app/cli_interrupt.h"
 #include "app/cli_problem.h"
 #include "app/cli_result_folder.h"
 #include "core/files/atomic_file.h"
 #include "core/method/methods.h"
+#include "core/run/interrupt.h"
 
 namespace foldless {
 namespace {
@@ -49,9 +49,8 @@ std::vector<BenchScene> wanted(const BenchCall& call, std::size_t count,
 /// The methods that were asked for, or all of the program.
 std::vector<std::string> methods_of(const BenchCall& call) {
   if (!call.methods.empty()) return call.methods;
-  std::vector<std::string> names;
-  for (const MethodRow& row : methods()) names.emplace_back(row.name);
-  return names;
+  const std::vector<std::string_view> names = method_names();
+  return {names.begin(), names.end()};
 }
 
 std::vector<BenchJob> jobs_of(const BenchCall& call, const std::vector<BenchScene>& scenes) {

@@ -9,9 +9,7 @@
 namespace foldless {
 
 LoadedScene load_scene_file(const std::filesystem::path& file) {
-  std::vector<std::string_view> names;
-  for (const MethodRow& row : methods()) names.push_back(row.name);
-  return load_scene(file, names);
+  return load_scene(file, method_names());
 }
 
 Problem problem_of(const Scene& scene) {

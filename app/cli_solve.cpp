@@ -13,11 +13,11 @@
 #include "app/bench/stop_watch.h"
 #include "app/cli.h"
 #include "app/cli_calls.h"
-#include "app/cli_interrupt.h"
 #include "app/cli_problem.h"
 #include "app/cli_report.h"
 #include "app/cli_results.h"
 #include "core/energy/densities.h"
+#include "core/run/interrupt.h"
 #include "core/run/run.h"
 #include "core/scene/parameter_keys.h"
 

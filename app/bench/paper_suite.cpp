@@ -16,10 +16,8 @@ namespace foldless {
 namespace {
 
 BenchScene scene_of(std::string_view name) {
-  std::vector<std::string_view> known;
-  for (const MethodRow& row : methods()) known.push_back(row.name);
   const auto file = data_path("assets/scenes/" + std::string(name) + ".json");
-  return {std::string(name), "", load_scene(file, known).scene};
+  return {std::string(name), "", load_scene(file, method_names()).scene};
 }
 
 Parameters parameters_of(const PaperRow& row, Parameters parameters) {

@@ -91,6 +91,12 @@ bool is_layer_on(const Editor& e) {
   return e.view().options().layers.*kLayerRows[K].shown;
 }
 
+void find_lost_work(Editor& e) {
+  e.files().find_lost_work();
+  if (!e.files().recovery().is_open())
+    e.messages().toast(ToastKind::notice, "There is no unsaved work to recover");
+}
+
 /// The same command, in a race too.
 Command in_race(Command command) {
   command.in_race = true;
@@ -127,6 +133,7 @@ std::vector<Command> file_commands() {
       in_race({"file.export_csv", "File", "Export convergence as CSV\u2026", {}, has_iterations, ask<Request::export_csv>}),
       in_race({"file.export_svg", "File", "Export convergence plots as SVG\u2026", {}, has_iterations, ask<Request::export_svg>}),
       in_race({"file.export_table", "File", "Export the race's table as CSV\u2026", {}, has_race, ask<Request::export_table>}),
+      {"file.recover", "File", "Recover unsaved work\u2026", {}, always, find_lost_work},
       in_race({"file.quit", "File", "Quit", {{Key::q, kControl}}, always, call<&DocumentFiles::close>}),
   };
 }

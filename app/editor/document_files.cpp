@@ -31,29 +31,30 @@ std::filesystem::path full_path(const std::filesystem::path& path) {
   return (error ? path : result).lexically_normal();
 }
 
-std::vector<std::string_view> method_names() {
-  std::vector<std::string_view> names;
-  for (const MethodRow& row : methods()) names.push_back(row.name);
-  return names;
+std::filesystem::path in(const std::filesystem::path& folder, const char* name) {
+  return folder.empty() ? folder : folder / name;
 }
 
 }  // namespace
 
-DocumentFiles::DocumentFiles(const Parts& parts, const std::filesystem::path& recent_file,
+DocumentFiles::DocumentFiles(const Parts& parts, const std::filesystem::path& state_folder,
                              const std::function<void()>& wake)
     : draft_(parts.draft),
       view_(parts.view),
       race_(parts.race),
       messages_(parts.messages),
-      recent_(recent_file),
+      recent_(in(state_folder, "recent.json")),
       import_(wake),
-      texture_image_(wake) {
+      texture_image_(wake),
+      autosave_(in(state_folder, "autosave"), wake),
+      recovery_(in(state_folder, "autosave"), wake) {
   mark_saved();
 }
 
 void DocumentFiles::update() {
   update_import();
   follow_texture();
+  update_autosave();
 }
 
 void DocumentFiles::open(const std::filesystem::path& path) {
@@ -100,7 +101,8 @@ void DocumentFiles::perform_pending() {
   const PendingAction action = *std::exchange(pending_, std::nullopt);
   switch (action.kind) {
     case PendingKind::open: return load(action);
-    case PendingKind::close: return messages_.request(Request::quit);
+    case PendingKind::recover: return open_recovered();
+    case PendingKind::close: autosave_.forget(); return messages_.request(Request::quit);
     case PendingKind::new_document: break;
   }
   install(empty_document(), "New");
@@ -147,6 +149,7 @@ void DocumentFiles::open_scene(const std::filesystem::path& path) {
 void DocumentFiles::install(const Document& document, const std::string& label) {
   race_.close();
   close_import();
+  recovery_.close();
   if (document.texture.empty() != draft_.document().texture.empty())
     view_.show_mesh(document.texture.empty());
   draft_.install(document, label);
@@ -157,6 +160,7 @@ void DocumentFiles::install(const Document& document, const std::string& label) 
 
 void DocumentFiles::mark_saved() {
   draft_.seal();
+  autosave_.forget();
   saved_step_ = draft_.history().current_id();
   saved_pose_ = draft_.document().pose;
 }

@@ -9,18 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/autosave.h"
 #include "app/editor/canvas_view.h"
 #include "app/editor/draft.h"
 #include "app/editor/image_import.h"
 #include "app/editor/messages.h"
 #include "app/editor/race.h"
 #include "app/editor/recent_files.h"
+#include "app/editor/recovery.h"
 #include "app/editor/texture_image.h"
 
 namespace foldless {
 
 /// What waits for the question about unsaved changes.
-enum class PendingKind { new_document, open, close };
+enum class PendingKind { new_document, open, recover, close };
 struct PendingAction {
   PendingKind kind = PendingKind::new_document;
   std::filesystem::path path;  ///< to open
@@ -39,9 +41,9 @@ class DocumentFiles {
     Race& race;
     Messages& messages;
   };
-  /// `recent_file` is where the list of recent files is kept; empty: nowhere. `wake` is called on
-  /// other threads when update() has news.
-  DocumentFiles(const Parts& parts, const std::filesystem::path& recent_file,
+  /// `state_folder` has the list of recent files and copies of unsaved work; empty: neither is
+  /// kept. `wake` is called on other threads when update() has news.
+  DocumentFiles(const Parts& parts, const std::filesystem::path& state_folder,
                 const std::function<void()>& wake);
 
   /// Opens a scene or a mesh, or begins to import an image, by its extension; asks first when
@@ -71,6 +73,22 @@ class DocumentFiles {
   /// Answers the question; `cancel` also when the dialog that asks for a path was dismissed.
   void answer(Answer answer);
 
+  // Copies of unsaved work.
+
+  Autosave& autosave() { return autosave_; }
+  const Autosave& autosave() const { return autosave_; }
+  /// Writes a copy at once if anything is unsaved; for when the program is about to end.
+  void rescue();
+  /// Looks for work that was lost, and offers it.
+  void find_lost_work() { recovery_.find(); }
+  Recovery& recovery() { return recovery_; }
+  const Recovery& recovery() const { return recovery_; }
+  /// Makes what is looked at the document, which is unsaved then; asks first when the present one
+  /// has unsaved changes.
+  void recover();
+
+  // Images.
+
   /// The image that is being made a document of.
   ImageImport& image_import() { return import_; }
   const ImageImport& image_import() const { return import_; }
@@ -96,6 +114,9 @@ class DocumentFiles {
   /// A new document, saved nowhere yet.
   void install(const Document& document, const std::string& label);
   void mark_saved();
+  UnsavedWork unsaved_work() const;
+  void update_autosave();
+  void open_recovered();
   void update_import();
   void follow_texture();
 
@@ -105,13 +126,16 @@ class DocumentFiles {
   Messages& messages_;
   RecentFiles recent_;
   std::filesystem::path path_;
-  std::uint64_t saved_step_ = 0;
+  static constexpr std::uint64_t kNeverSaved = 0;  ///< no step has this id
+  std::uint64_t saved_step_ = kNeverSaved;
   std::shared_ptr<const Snapshot> saved_pose_;  ///< null: any, the file holds none
   std::optional<PendingAction> pending_;
   bool is_asking_ = false;
   ImageImport import_;
   bool takes_image_ = false;  ///< as soon as it is ready
   TextureImage texture_image_;
+  Autosave autosave_;
+  Recovery recovery_;
 };
 
 }  // namespace foldless

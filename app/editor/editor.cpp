@@ -8,13 +8,6 @@
 #include "app/editor/commands.h"
 
 namespace foldless {
-namespace {
-
-std::filesystem::path recent_file(const std::filesystem::path& folder) {
-  return folder.empty() ? folder : folder / "recent.json";
-}
-
-}  // namespace
 
 Editor::Editor(EditorOptions options)
     : draft_(messages_, options.wake, options.history_bytes),
@@ -22,7 +15,7 @@ Editor::Editor(EditorOptions options)
       view_(draft_, messages_),
       playback_(draft_, race_, messages_),
       edits_(draft_),
-      files_({draft_, view_, race_, messages_}, recent_file(options.state_folder), options.wake),
+      files_({draft_, view_, race_, messages_}, options.state_folder, options.wake),
       stuck_(draft_, messages_),
       input_(*this) {
   draft_.on_interrupt([this] { return input_.cancel_gesture(); });
@@ -46,9 +39,10 @@ bool Editor::update(double now) {
 }
 
 std::optional<double> Editor::next_wake() const {
-  const std::optional<double> race = race_.next_wake();
-  const std::optional<double> toast = messages_.next_wake();
-  return race && toast ? std::min(race, toast) : race ? race : toast;
+  std::optional<double> next;
+  for (const auto& wake : {race_.next_wake(), messages_.next_wake(), files_.autosave().next_wake()})
+    if (wake) next = std::min(next.value_or(*wake), *wake);
+  return next;
 }
 
 bool Editor::run_command(std::string_view name) {
@@ -61,6 +55,7 @@ bool Editor::run_command(std::string_view name) {
 
 void Editor::escape() {
   if (files_.image_import().is_open()) return files_.close_import();
+  if (files_.recovery().is_open()) return files_.recovery().close();
   if (race_.is_open()) return toggle_race();
   if (input_.cancel_gesture()) return;
   if (playback_.is_solving()) return playback_.stop();

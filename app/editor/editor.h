@@ -23,8 +23,9 @@ namespace foldless {
 
 /// What an editor needs from outside.
 struct EditorOptions {
-  std::filesystem::path state_folder;  ///< holds the recent files; empty: nothing is kept on disk
-  std::function<void()> wake;          ///< called on the solver's thread when update() has news
+  /// Holds the recent files and copies of unsaved work; empty: nothing is kept on disk.
+  std::filesystem::path state_folder;
+  std::function<void()> wake;  ///< called on the solver's thread when update() has news
   std::size_t history_bytes = std::size_t{1} << 30;
 };
 
@@ -49,8 +50,8 @@ class Editor {
   std::optional<double> next_wake() const;
   /// Runs a command of the table if it is enabled; returns whether it was.
   bool run_command(std::string_view name);
-  /// Stages of Esc: leave import or race, cancel the gesture, stop solving, leave the iteration
-  /// that is shown, deselect.
+  /// Stages of Esc: leave import, recovery or race, cancel the gesture, stop solving, leave the
+  /// iteration that is shown, deselect.
   void escape();
 
   // Its parts.

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/editor/picking.h"
-#include "app/gui/image_dialog.h"
+#include "app/gui/side_dialog.h"
 #include "app/gui/widgets.h"
 #include "core/mesh/triangle.h"
 
@@ -150,11 +150,10 @@ void draw_invitation(Editor& editor, const PanelContext& context) {
 
 }  // namespace
 
-void draw_import_overlay(const Editor& editor, const PanelContext& context) {
+void draw_preview_overlay(const Preview& preview, const PanelContext& context) {
   const Look& look = context.look;
-  const Rectangle place = image_preview_place(context.layout, look.scale);
-  const CanvasBrush brush{*ImGui::GetBackgroundDrawList(), place};
-  draw_description(import_words(editor.files().image_import()), brush, look);
+  const Rectangle place = preview_place(context.layout, look.scale);
+  draw_description(preview.words, {*ImGui::GetBackgroundDrawList(), place}, look);
 }
 
 void draw_canvas_overlay(Editor& editor, const PanelContext& context) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/gui/panels.h"
+#include "app/gui/preview.h"
 
 namespace foldless {
 
@@ -9,7 +10,7 @@ namespace foldless {
 /// largest distortion, and an invitation while nothing is open.
 void draw_canvas_overlay(Editor& editor, const PanelContext& context);
 
-/// What is known of the mesh that an image is to become, over its preview.
-void draw_import_overlay(const Editor& editor, const PanelContext& context);
+/// What is known of what a dialog offers, over its preview.
+void draw_preview_overlay(const Preview& preview, const PanelContext& context);
 
 }  // namespace foldless

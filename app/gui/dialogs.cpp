@@ -3,6 +3,8 @@
 
 #include "app/gui/image_dialog.h"
 #include "app/gui/panels.h"
+#include "app/gui/preview.h"
+#include "app/gui/recovery_dialog.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
@@ -54,7 +56,11 @@ void draw_about(const PanelContext& context) {
 void draw_dialogs(Editor& editor, const PanelContext& context) {
   UiState& state = context.state;
   draw_unsaved_question(editor, context);
+  // Beside those two the canvas is looked at; other dialogs darken what they cover.
+  const bool has_preview = preview_of(editor) && !editor.files().question();
+  ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w = has_preview ? 0 : kDimmed;
   draw_image_dialog(editor, context);
+  draw_recovery_dialog(editor, context);
   state.exporting.draw(editor, state, context.look);
   state.browser.draw(context.look);
   state.search.draw(editor, context.look);

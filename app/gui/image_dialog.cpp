@@ -6,21 +6,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/gui/side_dialog.h"
 #include "app/gui/widgets.h"
 #include "core/files/mesh_source.h"
 
 namespace foldless {
 namespace {
-
-constexpr float kWidth = 284;  // design pixels
-
-Rectangle dialog_place(const Layout& layout, float scale) {
-  const float right = layout.status_bar.width;
-  const float width =
-      std::min(std::max(layout.right.width, std::round(kWidth * scale)), 0.6F * right);
-  const float top = layout.menu_bar.height;
-  return {right - width, top, width, layout.status_bar.y - top};
-}
 
 /// One number of the options.
 struct Row {
@@ -121,12 +112,6 @@ void draw_result(const ImageImport& import, const Look& look) {
   if (mesh.filled_holes > 0) dim_text(count(mesh.filled_holes, "tiny hole") + " filled", look);
 }
 
-/// Enter and Esc belong to a number that is being typed. The key that chose the image in another
-/// dialog may still be down: its repeats do not count.
-bool is_struck(ImGuiKey key) {
-  return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
-}
-
 void draw_buttons(Editor& editor, const Look& look) {
   const bool has_problem = !editor.files().image_import().problem().empty();
   ImGui::BeginDisabled(has_problem);
@@ -138,30 +123,13 @@ void draw_buttons(Editor& editor, const Look& look) {
   if (leaves || is_struck(ImGuiKey_Escape)) editor.files().close_import();
 }
 
-bool begin(const char* id, const PanelContext& context) {
-  const Rectangle place = dialog_place(context.layout, context.look.scale);
-  ImGui::SetNextWindowPos({place.x, place.y});
-  ImGui::SetNextWindowSize({place.width, place.height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
-                      ImVec2{context.look.px(16), context.look.px(14)});
-  const bool is_open =
-      ImGui::BeginPopupModal(id, nullptr,
-                             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
-  ImGui::PopStyleVar();
-  return is_open;
-}
-
 }  // namespace
 
 void draw_image_dialog(Editor& editor, const PanelContext& context) {
-  const char* id = "##image";
-  const bool is_open = editor.files().image_import().is_open() && !editor.files().question();
-  // The preview beside it is looked at, other dialogs darken what they cover.
-  ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w = is_open ? 0 : kDimmed;
-  if (is_open && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
-  if (!begin(id, context)) return;
-  if (!is_open) ImGui::CloseCurrentPopup();
+  const DocumentFiles& files = editor.files();
+  const bool is_open =
+      files.image_import().is_open() && !files.recovery().is_open() && !files.question();
+  if (!begin_side_dialog("##image", is_open, context)) return;
   const Look& look = context.look;
   title_text("New from an image", look);
   dim_text(editor.files().image_import().file().filename().string(), look);
@@ -173,20 +141,6 @@ void draw_image_dialog(Editor& editor, const PanelContext& context) {
   ImGui::EndChild();
   if (is_open) draw_buttons(editor, look);
   ImGui::EndPopup();
-}
-
-Rectangle image_preview_place(const Layout& layout, float scale) {
-  Rectangle place = layout.canvas;
-  const float right = dialog_place(layout, scale).x;
-  place.width = std::max(1.0F, std::min(place.width, right - place.x));
-  return place;
-}
-
-std::string import_words(const ImageImport& import) {
-  if (!import.image()) return "Reading the image…";
-  if (import.is_busy()) return "Making the mesh…";
-  if (!import.mesh() || !import.problem().empty()) return "";
-  return count(static_cast<int>(import.mesh()->mesh.shape.triangles.cols()), "triangle");
 }
 
 }  // namespace foldless

@@ -34,6 +34,24 @@ void draw_recent(Editor& editor) {
   ImGui::EndMenu();
 }
 
+void draw_autosave_menu(UiState& state) {
+  struct Interval {
+    const char* title;
+    double seconds;
+  };
+  static constexpr std::array<Interval, 5> kIntervals{{{"15 seconds", 15},
+                                                       {"1 minute", 60},
+                                                       {"5 minutes", 300},
+                                                       {"15 minutes", 900},
+                                                       {"1 hour", 3600}}};
+  if (!ImGui::BeginMenu("Keep a copy of changes within")) return;
+  for (const Interval& interval : kIntervals)
+    if (ImGui::MenuItem(interval.title, nullptr,
+                        state.settings.autosave_seconds == interval.seconds))
+      state.settings.autosave_seconds = interval.seconds;
+  ImGui::EndMenu();
+}
+
 void draw_theme_menu(UiState& state) {
   static constexpr std::array kTitles{"Dark", "Light", "High contrast"};
   if (!ImGui::BeginMenu("Theme")) return;
@@ -62,6 +80,7 @@ void draw_extras(std::string_view menu, Editor& editor, const PanelContext& cont
     ImGui::Separator();
     draw_recent(editor);
     draw_samples(editor, context);
+    draw_autosave_menu(state);
   } else if (menu == "View") {
     ImGui::Separator();
     draw_theme_menu(state);

@@ -4,18 +4,22 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <limits>
 
 #include "app/editor/editor.h"
+#include "app/exit_status.h"
 #include "app/gui/frame_log.h"
 #include "app/gui/samples.h"
 #include "app/gui/ui.h"
 #include "app/gui/window.h"
 #include "core/error.h"
+#include "core/run/interrupt.h"
 
 namespace foldless {
 namespace {
 
 constexpr Extent kFirstSize{1280, 800};
+constexpr double kLongestNap = 0.5;  // seconds
 constexpr const char* kNoDisplay =
     "There is no display to open a window on; `foldless solve SCENE -o DIR` and `foldless render "
     "FILE -o OUT.png` work without one (see `foldless --help`).";
@@ -46,6 +50,11 @@ std::filesystem::path pictures_folder() {
   return std::filesystem::current_path(ignored);
 }
 
+class Session;
+
+/// The session that runs, for a function that exit() calls, which is given nothing.
+Session* running = nullptr;
+
 /// The parts of the running program and its loop.
 class Session {
  public:
@@ -56,7 +65,15 @@ class Session {
              .pictures_folder = pictures_folder(),
              .clipboard = [this] { return window_.clipboard(); },
              .set_clipboard = [this](const std::string& text) { window_.set_clipboard(text); }}),
-        log_(frame_log_file()) {}
+        log_(frame_log_file()) {
+    running = this;
+    std::atexit([] {
+      if (running) running->rescue();
+    });
+  }
+  ~Session() { running = nullptr; }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
   /// A file, or the sample that invites a drag.
   void open(const std::optional<std::filesystem::path>& file) {
@@ -64,14 +81,27 @@ class Session {
       editor_.files().open(*file);
     else
       editor_.files().open_sample(welcome_scene());
+    editor_.files().find_lost_work();
   }
 
-  void run() {
-    while (!ui_.wants_to_quit()) {
-      draw_frame();
-      wait();
+  /// Until the user leaves. Whatever else ends the program, unsaved work is kept: a signal, an
+  /// exception, or the display's end, upon which Xlib calls exit().
+  int run() {
+    try {
+      while (!ui_.wants_to_quit() && !interrupt_.is_requested()) {
+        draw_frame();
+        wait();
+      }
+    } catch (...) {
+      rescue();
+      throw;
     }
+    if (ui_.wants_to_quit()) return kExitDone;
+    rescue();
+    return kExitInterrupted;
   }
+
+  void rescue() { editor_.files().rescue(); }
 
  private:
   void draw_frame() {
@@ -91,12 +121,23 @@ class Session {
   /// display can show.
   void wait() {
     const auto next = ui_.next_frame(editor_, clock_.now());
-    window_.wait_events(next.value_or(-1.0));
+    nap(next ? clock_.now() + *next : std::numeric_limits<double>::infinity());
     take_events();
     const double rest = last_start_ + window_.refresh_interval() - clock_.now();
     if (rest > 0) {
       window_.wait_events(rest);
       take_events();
+    }
+  }
+
+  /// Sleeps until something happens, at most until then. A signal wakes nobody, so we look for one.
+  void nap(double until) {
+    bool is_woken = false;
+    while (!is_woken && !interrupt_.is_requested() && clock_.now() < until) {
+      const double start = clock_.now();
+      const double length = std::min(until - start, kLongestNap);
+      window_.wait_events(length);
+      is_woken = clock_.now() - start < length;
     }
   }
 
@@ -110,6 +151,7 @@ class Session {
   Editor editor_;
   Ui ui_;
   FrameLog log_;
+  Interrupt interrupt_;
   double last_start_ = 0;
 };
 
@@ -119,8 +161,7 @@ int run_editor(const std::optional<std::filesystem::path>& file) {
   if (!has_display()) throw Error(kNoDisplay);
   Session session;
   session.open(file);
-  session.run();
-  return 0;
+  return session.run();
 }
 
 }  // namespace foldless

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/gui/canvas_picture.h"
-#include "app/gui/image_dialog.h"
 #include "app/gui/race_layout.h"
+#include "app/gui/side_dialog.h"
 #include "core/error.h"
 #include "render/theme.h"
 
@@ -40,21 +40,15 @@ std::optional<HeatRange> common_range(const Race& race, HeatMeasure measure) {
   return common;
 }
 
-std::shared_ptr<const TextureLevels> image_of(const Editor& editor) {
-  const ImageImport& import = editor.files().image_import();
-  if (!import.is_open()) return editor.files().texture_image().image();
-  return import.image() ? import.image()->texture : nullptr;
-}
-
 std::optional<Box> box_of(const std::optional<TextureBox>& box) {
   if (!box) return std::nullopt;
   return Box{{box->min.x(), box->min.y()}, {box->max.x(), box->max.y()}};
 }
 
-std::optional<Box> place_of(const Editor& editor) {
-  const ImageImport& import = editor.files().image_import();
-  if (!import.is_open()) return box_of(editor.document().texture_box);
-  return import.image() ? box_of(import.image()->box()) : std::nullopt;
+Box box_of(const Points& points) {
+  const Vec2 min = points.rowwise().minCoeff();
+  const Vec2 max = points.rowwise().maxCoeff();
+  return {{min.x(), min.y()}, {max.x(), max.y()}};
 }
 
 }  // namespace
@@ -67,8 +61,8 @@ void Scenes::draw(Editor& editor, const Layout& layout, Extent framebuffer) {
   glClearColor(background.r, background.g, background.b, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   heat_range_.reset();
-  if (editor.files().image_import().is_open())
-    draw_import(editor, layout, framebuffer);
+  if (const auto preview = preview_of(editor))
+    draw_preview(*preview, editor, layout, framebuffer);
   else if (editor.race().is_open())
     draw_race(editor, layout, framebuffer);
   else if (editor.shown())
@@ -76,17 +70,18 @@ void Scenes::draw(Editor& editor, const Layout& layout, Extent framebuffer) {
 }
 
 /// The mesh as it would be, beside the dialog.
-void Scenes::draw_import(const Editor& editor, const Layout& layout, Extent framebuffer) {
-  const auto& mesh = editor.files().image_import().mesh();
-  if (!mesh || !place_) return;
+void Scenes::draw_preview(const Preview& preview, const Editor& editor, const Layout& layout,
+                          Extent framebuffer) {
+  if (!preview.pose) return;
   const auto scale = static_cast<float>(editor.canvas().ui_scale);
   SceneView view;
-  view.viewport = viewport_of(image_preview_place(layout, scale), framebuffer);
-  view.camera = fit_to_box(*place_, {view.viewport.width, view.viewport.height}, kMargin * scale);
+  view.viewport = viewport_of(preview_place(layout, scale), framebuffer);
+  const Box box = box_of(preview.view_box).value_or(box_of(preview.pose->deformed));
+  view.camera = fit_to_box(box, {view.viewport.width, view.viewport.height}, kMargin * scale);
   ViewOptions options = editor.view().options();
   // The outline in the colour of the rest shape, which stands out from the canvas.
   options.layers = {.boundary = false, .handles = false, .rest = true};
-  canvas_.draw(*mesh->document.pose, view, options);
+  canvas_.draw(*preview.pose, view, options);
 }
 
 void Scenes::draw_document(const Editor& editor, const Layout& layout, Extent framebuffer) {
@@ -129,8 +124,9 @@ void Scenes::draw_race(const Editor& editor, const Layout& layout, Extent frameb
 }
 
 void Scenes::follow_texture(Editor& editor) {
-  const auto image = image_of(editor);
-  const auto place = place_of(editor);
+  const auto preview = preview_of(editor);
+  const auto image = preview ? preview->image : editor.files().texture_image().image();
+  const auto place = box_of(preview ? preview->image_box : editor.document().texture_box);
   if (image == image_ && place == place_) return;
   image_ = image;
   place_ = place;

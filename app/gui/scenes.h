@@ -8,6 +8,7 @@
 #include "app/editor/editor.h"
 #include "app/gui/extent.h"
 #include "app/gui/layout.h"
+#include "app/gui/preview.h"
 #include "render/scene_renderer.h"
 
 namespace foldless {
@@ -25,7 +26,8 @@ class Scenes {
 
  private:
   void follow_texture(Editor& editor);
-  void draw_import(const Editor& editor, const Layout& layout, Extent framebuffer);
+  void draw_preview(const Preview& preview, const Editor& editor, const Layout& layout,
+                    Extent framebuffer);
   void draw_document(const Editor& editor, const Layout& layout, Extent framebuffer);
   void draw_race(const Editor& editor, const Layout& layout, Extent framebuffer);
 

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/editor/autosave.h"
+
 namespace foldless {
 namespace {
 
@@ -30,6 +32,9 @@ Settings load_settings(const std::filesystem::path& file) {
     settings.theme = theme_named(it->get<std::string>());
   if (const auto it = json.find("panels"); it != json.end() && it->is_boolean())
     settings.shows_panels = it->get<bool>();
+  if (const auto it = json.find("autosave_seconds"); it != json.end() && it->is_number())
+    settings.autosave_seconds =
+        std::clamp(it->get<double>(), Autosave::kShortestInterval, Autosave::kLongestInterval);
   return settings;
 }
 
@@ -38,7 +43,8 @@ void save_settings(const std::filesystem::path& file, const Settings& settings) 
   std::filesystem::create_directories(file.parent_path(), ignored);
   const nlohmann::json json{{"scale", settings.scale},
                             {"theme", kThemeNames[static_cast<std::size_t>(settings.theme)]},
-                            {"panels", settings.shows_panels}};
+                            {"panels", settings.shows_panels},
+                            {"autosave_seconds", settings.autosave_seconds}};
   std::ofstream(file) << json.dump(2) << '\n';
 }
 

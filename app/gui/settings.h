@@ -12,6 +12,7 @@ struct Settings {
   double scale = 1;  ///< on top of the desktop's scale, 0.75 … 3
   Theme theme = Theme::dark;
   bool shows_panels = true;
+  double autosave_seconds = 60;  ///< how long a change may wait for its copy, 15 … 3600
 
   bool operator==(const Settings&) const = default;
 };

@@ -13,6 +13,7 @@
 #include "app/gui/canvas_picture.h"
 #include "app/gui/input_feed.h"
 #include "app/gui/panels.h"
+#include "app/gui/preview.h"
 #include "app/gui/race_layout.h"
 #include "app/gui/requests.h"
 #include "app/gui/scenes.h"
@@ -31,8 +32,8 @@ constexpr double kTextCursorSeconds = 0.4;
 struct News {
   bool asks = false;       ///< about unsaved changes
   std::size_t toasts = 0;  ///< messages on screen
-  bool imports = false;    ///< an image is being made a document of
-  bool is_busy = false;    ///< with it
+  bool previews = false;   ///< something else than the document
+  std::string words;       ///< on that
   bool operator==(const News&) const = default;
 };
 
@@ -165,10 +166,12 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   resize(editor);
   route(editor, events, spec.time);
   editor.view().options().theme = p.state.settings.theme;
+  editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);
   const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
+  const auto preview = preview_of(editor);
   const News news{editor.files().question() != nullptr, editor.messages().toasts().size(),
-                  editor.files().image_import().is_open(), editor.files().image_import().is_busy()};
+                  preview.has_value(), preview ? preview->words : ""};
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order()) p.carry_out(*job, editor);
   p.scenes.draw(editor, p.layout, spec.framebuffer);
@@ -219,8 +222,8 @@ void Ui::route(Editor& editor, const std::vector<UiEvent>& events, double time) 
 void Ui::draw_panels(Editor& editor) {
   Parts& p = *parts_;
   const PanelContext context{p.state, p.look, p.layout};
-  if (editor.files().image_import().is_open()) {
-    draw_import_overlay(editor, context);
+  if (const auto preview = preview_of(editor)) {
+    draw_preview_overlay(*preview, context);
   } else if (editor.race().is_open()) {
     draw_race_panel(editor, context);
   } else {

@@ -69,6 +69,12 @@ constexpr std::array kMethods{
 
 std::span<const MethodRow> methods() { return kMethods; }
 
+std::vector<std::string_view> method_names() {
+  std::vector<std::string_view> names;
+  for (const MethodRow& row : kMethods) names.push_back(row.name);
+  return names;
+}
+
 const MethodRow* find_method(std::string_view name) {
   const auto row = std::ranges::find(kMethods, name, &MethodRow::name);
   return row == kMethods.end() ? nullptr : &*row;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "core/method/method.h"
 
@@ -29,6 +30,7 @@ struct MethodRow {
 
 /// Every method of the program; the authority for names.
 std::span<const MethodRow> methods();
+std::vector<std::string_view> method_names();
 
 /// The row of that name, or null. The row lives as long as the program.
 const MethodRow* find_method(std::string_view name);

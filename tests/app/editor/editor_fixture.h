@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -13,28 +12,13 @@
 #include "app/editor/editor.h"
 #include "core/mesh/injective.h"
 #include "tests/support/meshes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
 
 inline constexpr Modifiers kShift{.shift = true};
 inline constexpr Modifiers kControl{.control = true};
 inline constexpr Modifiers kControlShift{.shift = true, .control = true};
-
-/// A folder that is gone after the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "foldless-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// An editor on an 800 × 600 canvas, with hands and a clock.
 class EditorTest : public ::testing::Test {

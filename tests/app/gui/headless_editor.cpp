@@ -14,8 +14,11 @@ constexpr int kManyFrames = 50;
 
 }  // namespace
 
-HeadlessEditor::HeadlessEditor(Extent size, UiOptions options)
-    : size_(size), offscreen_(size.width, size.height), ui_(std::move(options)) {
+HeadlessEditor::HeadlessEditor(Extent size, UiOptions options, EditorOptions editor_options)
+    : size_(size),
+      offscreen_(size.width, size.height),
+      editor_(std::move(editor_options)),
+      ui_(std::move(options)) {
   settle();
 }
 

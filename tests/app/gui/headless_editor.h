@@ -15,7 +15,8 @@ namespace foldless::test {
 /// The whole editor without a window: events in, pixels out, in OSMesa.
 class HeadlessEditor {
  public:
-  explicit HeadlessEditor(Extent size = {1280, 800}, UiOptions options = {});
+  explicit HeadlessEditor(Extent size = {1280, 800}, UiOptions options = {},
+                          EditorOptions editor_options = {});
 
   Editor& editor() { return editor_; }
   Ui& ui() { return ui_; }

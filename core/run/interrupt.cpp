@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_interrupt.h"
+#include "core/run/interrupt.h"
 
 #include <atomic>
 
 namespace foldless {
 namespace {
+
+constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 
 /// Signals belong to the process, so a handler has no other place to leave its note.
 std::atomic<bool> has_come = false;
@@ -26,13 +28,11 @@ void begin_noting(int signal, struct sigaction& previous) {
 
 Interrupt::Interrupt() {
   has_come = false;
-  begin_noting(SIGINT, previous_int_);
-  begin_noting(SIGTERM, previous_term_);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) begin_noting(kSignals[i], previous_[i]);
 }
 
 Interrupt::~Interrupt() {
-  sigaction(SIGINT, &previous_int_, nullptr);
-  sigaction(SIGTERM, &previous_term_, nullptr);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &previous_[i], nullptr);
 }
 
 bool Interrupt::is_requested() const { return has_come; }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <csignal>
 
 namespace foldless {
 
-/// While it lives, SIGINT and SIGTERM are noted instead of ending the program, whichever thread
-/// they reach, so that it can end by itself with whole files. One that was ignored stays so, as
-/// under nohup. One at a time.
+/// While it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the program, whichever
+/// thread they reach, so that it can end by itself with whole files. One that was ignored stays so,
+/// as under nohup. One at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -19,8 +20,7 @@ class Interrupt {
   bool is_requested() const;
 
  private:
-  struct sigaction previous_int_ {};
-  struct sigaction previous_term_ {};
+  std::array<struct sigaction, 3> previous_{};
 };
 
 }  // namespace foldless

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/autosave_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/error.h"
+#include "core/files/atomic_file.h"
+
+namespace foldless {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kCopies = 5;
+constexpr const char* kLock = "lock";
+constexpr const char* kOrigin = "origin.json";
+
+/// The number of a copy by its file name, `000012.json`.
+std::optional<int> number_of(const fs::path& file) {
+  const std::string name = file.filename().string();
+  int number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (error != std::errc{} || std::string_view(end) != ".json") return std::nullopt;
+  return number;
+}
+
+/// A file that we write, or what is left of one whose writing was cut off.
+bool is_ours(std::string name) {
+  if (name.starts_with('.')) name = fs::path(name.substr(1)).stem().string();
+  return name == kLock || name == kOrigin || number_of(name);
+}
+
+fs::path copy_named(int number) {
+  std::array<char, 24> name{};
+  std::snprintf(name.data(), name.size(), "%06d.json", number);
+  return name.data();
+}
+
+/// An open lock file that is locked by us; -1 where it is not there or another has it.
+int locked(const fs::path& file, int flags) {
+  const int descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
+  if (descriptor < 0) return -1;
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  close(descriptor);
+  return -1;
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
+  throw Error(path.string() + ": copies of unsaved work cannot be kept here: " + reason);
+}
+
+}  // namespace
+
+AutosaveFolder AutosaveFolder::create(const fs::path& root) {
+  std::error_code error;
+  fs::create_directories(root, error);
+  if (error) fail(root, error.message());
+  // Not seen by find_lost_work() before it is locked.
+  std::string hidden = (root / ".new-XXXXXX").string();
+  if (!mkdtemp(hidden.data())) fail(root, std::strerror(errno));
+  const int lock = locked(fs::path(hidden) / kLock, O_CREAT);
+  const fs::path path = root / fs::path(hidden).filename().string().substr(5);
+  fs::rename(hidden, path, error);
+  if (lock >= 0 && !error) return {path, lock};
+  const std::string reason = error ? error.message() : std::strerror(errno);
+  std::error_code ignored;
+  if (lock >= 0) close(lock);
+  fs::remove_all(hidden, ignored);
+  fail(root, reason);
+}
+
+std::optional<AutosaveFolder> AutosaveFolder::take(const fs::path& folder) {
+  const int lock = locked(folder / kLock, 0);
+  if (lock < 0) return std::nullopt;
+  return AutosaveFolder(folder, lock);
+}
+
+AutosaveFolder::AutosaveFolder(AutosaveFolder&& other) noexcept
+    : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+
+AutosaveFolder& AutosaveFolder::operator=(AutosaveFolder&& other) noexcept {
+  if (this == &other) return *this;
+  release();
+  path_ = std::move(other.path_);
+  lock_ = std::exchange(other.lock_, -1);
+  return *this;
+}
+
+AutosaveFolder::~AutosaveFolder() { release(); }
+
+void AutosaveFolder::release() {
+  if (lock_ >= 0) close(std::exchange(lock_, -1));
+}
+
+Origin AutosaveFolder::origin() const {
+  std::string text;
+  try {
+    text = read_file(path_ / kOrigin);
+  } catch (const Error&) {
+    return {};
+  }
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  const auto text_of = [&](const char* key) -> std::string {
+    if (!json.is_object() || !json.contains(key) || !json[key].is_string()) return {};
+    return json[key].get<std::string>();
+  };
+  return {text_of("path"), text_of("name")};
+}
+
+std::vector<fs::path> AutosaveFolder::copies() const {
+  std::vector<fs::path> copies;
+  std::error_code error;
+  for (fs::directory_iterator it(path_, error), end; !error && it != end; it.increment(error))
+    if (number_of(it->path())) copies.push_back(it->path());
+  std::ranges::sort(copies, std::greater{}, number_of);
+  return copies;
+}
+
+fs::path AutosaveFolder::next_copy() const {
+  const std::vector<fs::path> there = copies();
+  return path_ / copy_named(there.empty() ? 1 : *number_of(there.front()) + 1);
+}
+
+void AutosaveFolder::set_origin(const Origin& origin) {
+  const nlohmann::json json{{"path", origin.path.string()}, {"name", origin.name}};
+  // A path may be no UTF-8.
+  const auto replacing = nlohmann::json::error_handler_t::replace;
+  write_file_atomically(path_ / kOrigin, json.dump(2, ' ', false, replacing) + "\n");
+}
+
+void AutosaveFolder::trim() {
+  const std::vector<fs::path> there = copies();
+  std::error_code ignored;
+  for (std::size_t i = kCopies; i < there.size(); ++i) fs::remove(there[i], ignored);
+}
+
+void AutosaveFolder::remove() {
+  std::error_code error;
+  for (fs::directory_iterator it(path_, error), end; !error && it != end; it.increment(error)) {
+    std::error_code ignored;
+    if (is_ours(it->path().filename().string())) fs::remove(it->path(), ignored);
+  }
+  fs::remove(path_, error);
+  release();
+}
+
+std::vector<AutosaveFolder> find_lost_work(const fs::path& root) {
+  std::vector<std::pair<fs::file_time_type, AutosaveFolder>> found;
+  std::error_code error;
+  for (fs::directory_iterator it(root, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().filename().string().starts_with('.')) continue;
+    std::optional<AutosaveFolder> folder = AutosaveFolder::take(it->path());
+    if (!folder) continue;
+    const std::vector<fs::path> copies = folder->copies();
+    std::error_code ignored;
+    if (copies.empty())
+      folder->remove();
+    else
+      found.emplace_back(fs::last_write_time(copies.front(), ignored), std::move(*folder));
+  }
+  std::ranges::sort(found, std::greater{}, [](const auto& one) { return one.first; });
+  std::vector<AutosaveFolder> folders;
+  for (auto& [time, folder] : found) folders.push_back(std::move(folder));
+  return folders;
+}
+
+std::string time_words(fs::file_time_type written) {
+  const auto since = written - fs::file_time_type::clock::now();
+  const auto moment = std::chrono::system_clock::now() +
+                      std::chrono::duration_cast<std::chrono::system_clock::duration>(since);
+  const std::time_t time = std::chrono::system_clock::to_time_t(moment);
+  const std::time_t now = std::time(nullptr);
+  std::tm then{}, today{}, yesterday{};
+  localtime_r(&time, &then);
+  localtime_r(&now, &today);
+  yesterday = today;
+  --yesterday.tm_mday;
+  std::mktime(&yesterday);
+  const auto is_on = [&](const std::tm& day) {
+    return then.tm_year == day.tm_year && then.tm_yday == day.tm_yday;
+  };
+  const char* format = is_on(today)       ? "today %H:%M"
+                       : is_on(yesterday) ? "yesterday %H:%M"
+                                          : "%e %b %Y, %H:%M";
+  std::array<char, 64> words{};
+  std::strftime(words.data(), words.size(), format, &then);
+  return words.data();
+}
+
+}  // namespace foldless

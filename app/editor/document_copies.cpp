@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "app/editor/document_files.h"
+
+namespace foldless {
+
+UnsavedWork DocumentFiles::unsaved_work() const {
+  const Document& document = draft_.document();
+  return {document,
+          {path_, document.name},
+          std::make_shared<const nlohmann::json>(view_.json()),
+          draft_.history().current_id()};
+}
+
+void DocumentFiles::update_autosave() {
+  if (const std::string problem = autosave_.take_problem(); !problem.empty())
+    messages_.toast(ToastKind::error, problem);
+  if (recovery_.poll()) messages_.redraw();
+  const bool is_unsaved = is_dirty() && !draft_.document().is_empty();
+  if (autosave_.is_due(messages_.now(), is_unsaved ? &draft_.document() : nullptr,
+                       draft_.history().current_id()))
+    autosave_.begin(unsaved_work());
+}
+
+void DocumentFiles::rescue() {
+  if (is_dirty() && !draft_.document().is_empty()) autosave_.write_now(unsaved_work());
+}
+
+void DocumentFiles::recover() { ask_or_perform({PendingKind::recover, {}}); }
+
+void DocumentFiles::open_recovered() {
+  if (!recovery_.is_open() || !recovery_.work()) return;
+  const std::shared_ptr<const RecoveredWork> work = recovery_.work();
+  const Origin origin = recovery_.origin(recovery_.selected());
+  const std::string time = recovery_.time(recovery_.selected());
+  const std::size_t others = recovery_.count() - 1;
+  if (const auto image = recovery_.texture_image().image())
+    texture_image_.adopt(work->document.texture, image);
+  AutosaveFolder folder = recovery_.take();
+  install(work->document, "Recover " + origin.name);
+  if (work->view) view_.read(*work->view);
+  path_ = origin.path;
+  saved_step_ = kNeverSaved;
+  autosave_.adopt(std::move(folder));
+  messages_.toast(ToastKind::notice, "Recovered as of " + time + "; it is not saved yet");
+  if (others > 0) messages_.toast(ToastKind::notice, "More is kept: File, Recover unsaved work");
+}
+
+}  // namespace foldless

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/recovery.h"
+
+#include <exception>
+#include <system_error>
+#include <utility>
+
+#include "app/editor/scene_document.h"
+#include "core/method/methods.h"
+#include "core/scene/scene_io.h"
+
+namespace foldless {
+
+Recovery::Recovery(std::filesystem::path root, std::function<void()> wake)
+    : root_(std::move(root)), wake_(std::move(wake)), texture_image_(wake_) {}
+
+void Recovery::find() {
+  close();
+  if (root_.empty()) return;
+  for (AutosaveFolder& folder : find_lost_work(root_)) {
+    std::error_code ignored;
+    std::string time =
+        time_words(std::filesystem::last_write_time(folder.copies().front(), ignored));
+    Origin origin = folder.origin();
+    lost_.push_back({std::move(folder), std::move(origin), std::move(time)});
+  }
+  if (is_open()) select(0);
+}
+
+void Recovery::close() {
+  ++request_;
+  job_.cancel();
+  lost_.clear();
+  work_.reset();
+  problem_.clear();
+  texture_image_.follow({});
+}
+
+void Recovery::select(std::size_t index) {
+  selected_ = index;
+  work_.reset();
+  problem_.clear();
+  const Lost& lost = lost_[index];
+  job_.start([this, request = ++request_, copies = lost.folder.copies(),
+              origin = lost.origin](const std::stop_token&) { read(request, copies, origin); });
+}
+
+/// The newest copy that can be read.
+void Recovery::read(int request, const std::vector<std::filesystem::path>& copies,
+                    const Origin& origin) {
+  News news{request, nullptr, {}};
+  for (const std::filesystem::path& copy : copies) {
+    try {
+      const Scene scene = load_scene(copy, method_names()).scene;
+      auto work =
+          std::make_shared<RecoveredWork>(RecoveredWork{document_of(scene, copy), scene.view});
+      work->document.name = origin.name;
+      news.work = std::move(work);
+      break;
+    } catch (const std::exception& failure) {
+      if (news.problem.empty()) news.problem = failure.what();
+    }
+  }
+  if (news.work) news.problem.clear();
+  {
+    const std::lock_guard lock(mutex_);
+    news_ = std::move(news);
+  }
+  if (wake_) wake_();
+}
+
+bool Recovery::poll() {
+  std::optional<News> news;
+  {
+    const std::lock_guard lock(mutex_);
+    news = std::exchange(news_, std::nullopt);
+  }
+  if (news && news->request == request_) {
+    work_ = std::move(news->work);
+    problem_ = std::move(news->problem);
+  }
+  if (is_open() && work_) texture_image_.follow(work_->document.texture);
+  return texture_image_.poll() || news;
+}
+
+void Recovery::discard() {
+  lost_[selected_].folder.remove();
+  lost_.erase(lost_.begin() + static_cast<std::ptrdiff_t>(selected_));
+  if (!is_open()) return close();
+  select(std::min(selected_, lost_.size() - 1));
+}
+
+AutosaveFolder Recovery::take() {
+  AutosaveFolder folder = std::move(lost_[selected_].folder);
+  close();
+  return folder;
+}
+
+}  // namespace foldless

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/recovery_dialog.h"
+
+#include <string>
+
+#include "app/gui/side_dialog.h"
+#include "app/gui/widgets.h"
+
+namespace foldless {
+namespace {
+
+std::string name_of(const Origin& origin) {
+  if (!origin.path.empty()) return origin.path.filename().string();
+  return origin.name.empty() ? "Untitled" : origin.name;
+}
+
+void draw_row(Recovery& recovery, std::size_t index, const Look& look) {
+  ImGui::PushID(static_cast<int>(index));
+  const Origin origin = recovery.origin(index);
+  const bool is_selected = index == recovery.selected();
+  const float height = 2 * ImGui::GetTextLineHeightWithSpacing();
+  const ImVec2 start = ImGui::GetCursorPos();
+  if (ImGui::Selectable("##row", is_selected, 0, {0, height}) && !is_selected)
+    recovery.select(index);
+  const ImVec2 end = ImGui::GetCursorPos();
+  tooltip(origin.path.empty() ? "Never saved." : origin.path.string(), look);
+  ImGui::SetCursorPos(start);
+  ImGui::TextUnformatted(name_of(origin).c_str());
+  dim_text(recovery.time(index) + (origin.path.empty() ? ", never saved" : ""), look);
+  ImGui::SetCursorPos(end);
+  ImGui::PopID();
+}
+
+void draw_rows(Recovery& recovery, const Look& look) {
+  const std::size_t selected = recovery.selected();
+  if (is_struck(ImGuiKey_DownArrow) && selected + 1 < recovery.count())
+    recovery.select(selected + 1);
+  if (is_struck(ImGuiKey_UpArrow) && selected > 0) recovery.select(selected - 1);
+  for (std::size_t i = 0; i < recovery.count(); ++i) draw_row(recovery, i, look);
+}
+
+/// Nothing brings it back, so it is asked first.
+void draw_discard_question(Recovery& recovery, const Look& look) {
+  if (!begin_dialog("##discard", look)) return;
+  title_text("Discard it for good?", look);
+  const std::size_t selected = recovery.selected();
+  dim_text(name_of(recovery.origin(selected)) + ", " + recovery.time(selected), look);
+  ImGui::Spacing();
+  const bool keeps = main_button("Keep it", look);
+  ImGui::SameLine();
+  const bool discards = ImGui::Button("Discard");
+  if (discards) recovery.discard();
+  if (keeps || discards || is_struck(ImGuiKey_Enter) || is_struck(ImGuiKey_Escape))
+    ImGui::CloseCurrentPopup();
+  end_dialog();
+}
+
+void draw_buttons(Editor& editor, const Look& look) {
+  Recovery& recovery = editor.files().recovery();
+  const bool has_keys = !ImGui::IsPopupOpen("##discard");
+  ImGui::BeginDisabled(!recovery.work());
+  const bool restores = main_button("Restore", look);
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (ImGui::Button("Discard…")) ImGui::OpenPopup("##discard");
+  ImGui::SameLine();
+  const bool leaves = ImGui::Button("Later");
+  tooltip("It is offered again the next time, and by Recover unsaved work in the File menu.", look);
+  draw_discard_question(recovery, look);
+  if (restores || (has_keys && recovery.work() && is_struck(ImGuiKey_Enter)))
+    return editor.files().recover();
+  if (leaves || (has_keys && is_struck(ImGuiKey_Escape))) recovery.close();
+}
+
+}  // namespace
+
+void draw_recovery_dialog(Editor& editor, const PanelContext& context) {
+  Recovery& recovery = editor.files().recovery();
+  const bool is_open = recovery.is_open() && !editor.files().question();
+  if (!begin_side_dialog("##recovery", is_open, context)) return;
+  const Look& look = context.look;
+  if (is_open) {
+    title_text("Recover unsaved work", look);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted("Foldless ended before this was saved.");
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+    // In a low window the rows scroll, the buttons stay.
+    ImGui::BeginChild("rows", {0, -ImGui::GetFrameHeightWithSpacing()});
+    draw_rows(recovery, look);
+    if (!recovery.problem().empty()) {
+      ImGui::Spacing();
+      ImGui::PushStyleColor(ImGuiCol_Text, look.palette->warning);
+      ImGui::TextWrapped("%s", recovery.problem().c_str());
+      ImGui::PopStyleColor();
+    }
+    ImGui::EndChild();
+    draw_buttons(editor, look);
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace foldless
