@@ -15,6 +15,8 @@ std::string words_on(const ImageImport& import) {
 
 Preview preview_of(const ImageImport& import) {
   Preview preview{.words = words_on(import)};
+  // The outline in the colour of the rest shape, which stands out from the canvas.
+  preview.layers = {.boundary = false, .handles = false, .rest = true};
   if (import.mesh()) preview.pose = import.mesh()->document.pose;
   if (!import.image()) return preview;
   preview.image = import.image()->texture;
@@ -29,7 +31,8 @@ Preview preview_of(const Recovery& recovery) {
   return {.words = counted(document.handles.size(), "handle"),
           .pose = document.pose,
           .image = recovery.texture_image().image(),
-          .image_box = document.texture_box};
+          .image_box = document.texture_box,
+          .layers = {.wireframe = document.texture.empty()}};
 }
 
 }  // namespace

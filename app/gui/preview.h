@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/editor/editor.h"
+#include "render/view_options.h"
 
 namespace foldless {
 
@@ -16,6 +17,7 @@ struct Preview {
   std::shared_ptr<const TextureLevels> image = {};  ///< null: none, or not yet
   std::optional<TextureBox> image_box = {};         ///< where the image lies
   std::optional<TextureBox> view_box = {};          ///< what to show; absent: the mesh
+  Layers layers = {};
 };
 
 /// The preview of an image that is opened or of work that can be recovered, if there is one.

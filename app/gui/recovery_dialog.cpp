@@ -24,8 +24,9 @@ void draw_row(Recovery& recovery, std::size_t index, const Look& look) {
     recovery.select(index);
   const ImVec2 end = ImGui::GetCursorPos();
   tooltip(origin.path.empty() ? "Never saved." : origin.path.string(), look);
-  ImGui::SetCursorPos(start);
+  ImGui::SetCursorPos({start.x + look.px(8), start.y});
   ImGui::TextUnformatted(name_of(origin).c_str());
+  ImGui::SetCursorPosX(start.x + look.px(8));
   dim_text(recovery.time(index) + (origin.path.empty() ? ", never saved" : ""), look);
   ImGui::SetCursorPos(end);
   ImGui::PopID();

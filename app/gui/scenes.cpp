@@ -79,8 +79,7 @@ void Scenes::draw_preview(const Preview& preview, const Editor& editor, const La
   const Box box = box_of(preview.view_box).value_or(box_of(preview.pose->deformed));
   view.camera = fit_to_box(box, {view.viewport.width, view.viewport.height}, kMargin * scale);
   ViewOptions options = editor.view().options();
-  // The outline in the colour of the rest shape, which stands out from the canvas.
-  options.layers = {.boundary = false, .handles = false, .rest = true};
+  options.layers = preview.layers;
   canvas_.draw(*preview.pose, view, options);
 }
 

@@ -178,6 +178,22 @@ class RealWindow : public testing::Test {
     tool("sleep 0.2 mouseup 1");
   }
 
+  /// The newest copy of unsaved work, or empty.
+  std::filesystem::path copy() const {
+    std::filesystem::path newest;
+    const std::filesystem::path root = folder_ / "foldless/autosave";
+    if (std::filesystem::exists(root))
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
+        if (entry.path().filename().string().starts_with("0"))
+          newest = std::max(newest, entry.path());
+    return newest;
+  }
+  void expect_copy_of_the_drag() const {
+    ASSERT_FALSE(copy().empty()) << "the work is lost";
+    const std::vector<std::string_view> methods{"foldless", "paper-flip"};
+    EXPECT_EQ(load_scene(copy(), methods).scene.handles.size(), 3U);
+  }
+
   std::filesystem::path folder_;
   std::filesystem::path scene_;
   std::unique_ptr<Child> server_;
@@ -209,6 +225,35 @@ TEST_F(RealWindow, CtrlQLeavesAtOnceWhenNothingIsUnsaved) {
   ASSERT_NO_FATAL_FAILURE(tool("key --clearmodifiers ctrl+q"));
   ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
   EXPECT_EQ(program_->status(), 0);
+}
+
+TEST_F(RealWindow, ASignalEndsItAndUnsavedWorkIsKept) {
+  ASSERT_NO_FATAL_FAILURE(start_program());
+  ASSERT_NO_FATAL_FAILURE(drag(640, 400, 40, 120));
+  ASSERT_TRUE(comes_to_rest());
+  EXPECT_TRUE(copy().empty()) << "a minute has not passed";
+  kill(program_->pid(), SIGTERM);
+  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
+  EXPECT_TRUE(WIFEXITED(program_->status()) && WEXITSTATUS(program_->status()) == 130);
+  expect_copy_of_the_drag();
+
+  // It is offered at the next start, and Enter takes it; Ctrl+S gives it to its file.
+  const auto written = std::filesystem::last_write_time(scene_);
+  ASSERT_NO_FATAL_FAILURE(start_program());
+  ASSERT_NO_FATAL_FAILURE(tool("key Return sleep 0.5 key --clearmodifiers ctrl+s"));
+  ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }, 20s));
+  const std::vector<std::string_view> methods{"foldless", "paper-flip"};
+  EXPECT_EQ(load_scene(scene_, methods).scene.handles.size(), 3U);
+  EXPECT_TRUE(copy().empty());
+}
+
+TEST_F(RealWindow, WhenTheDisplayGoesUnsavedWorkIsKept) {
+  ASSERT_NO_FATAL_FAILURE(start_program());
+  ASSERT_NO_FATAL_FAILURE(drag(640, 400, 40, 120));
+  ASSERT_TRUE(comes_to_rest());
+  server_.reset();
+  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
+  expect_copy_of_the_drag();
 }
 
 TEST(NoDisplay, EditorSaysSoInOneLineAndEndsWithStatus2) {
