@@ -7,8 +7,8 @@
 namespace foldless {
 namespace {
 
-constexpr double kMinScale = 1e-9;
-constexpr double kMaxScale = 1e9;
+constexpr double kMinScale = 1e-120;
+constexpr double kMaxScale = 1e120;
 constexpr glm::dvec2 kDown{1, -1};  // pixels count y downwards
 
 }  // namespace
@@ -44,9 +44,9 @@ Camera fit_to_box(const Box& box, glm::dvec2 viewport, double margin) {
   return {0.5 * (box.min + box.max), is_point ? 100 : std::clamp(scale, kMinScale, kMaxScale)};
 }
 
-ClipTransform clip_transform(const Camera& camera, glm::dvec2 viewport, glm::dvec2 origin) {
+ClipTransform clip_transform(const Camera& camera, glm::dvec2 viewport, const LocalFrame& local) {
   const glm::dvec2 scale = 2 * camera.pixels_per_unit / viewport;
-  return {scale, scale * (origin - camera.centre)};
+  return {scale * local.unit, scale * (local.origin - camera.centre)};
 }
 
 }  // namespace foldless

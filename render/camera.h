@@ -27,7 +27,7 @@ glm::dvec2 world_to_pixel(const Camera& camera, glm::dvec2 viewport, glm::dvec2 
 glm::dvec2 pixel_to_world(const Camera& camera, glm::dvec2 viewport, glm::dvec2 pixel);
 
 /// The camera magnified `factor` times; the world point under `pixel` stays under it. The scale is
-/// kept within 1e-9 … 1e9 pixels a unit.
+/// kept within 1e-120 … 1e120 pixels a unit.
 Camera zoomed_about(const Camera& camera, glm::dvec2 viewport, glm::dvec2 pixel, double factor);
 
 /// The camera after the drawing was dragged by `pixels` (x right, y down).
@@ -37,13 +37,21 @@ Camera panned(const Camera& camera, glm::dvec2 pixels);
 /// where the viewport is large enough. A box without extent is shown at 100 pixels a unit.
 Camera fit_to_box(const Box& box, glm::dvec2 viewport, double margin);
 
-/// World to clip coordinates for positions relative to an `origin`: clip = scale · p + offset.
+/// Where floats on the graphics card stand, so that they suffice at any place and for any unit:
+/// local = (world − origin) / unit.
+struct LocalFrame {
+  glm::dvec2 origin{0, 0};
+  double unit = 1;
+
+  glm::vec2 to_local(glm::dvec2 world) const { return glm::vec2((world - origin) / unit); }
+};
+
+/// Local to clip coordinates: clip = scale · local + offset.
 struct ClipTransform {
   glm::vec2 scale{1, 1};
   glm::vec2 offset{0, 0};
 };
 
-/// The differences are taken in double, so that floats suffice at any distance from (0, 0).
-ClipTransform clip_transform(const Camera& camera, glm::dvec2 viewport, glm::dvec2 origin);
+ClipTransform clip_transform(const Camera& camera, glm::dvec2 viewport, const LocalFrame& local);
 
 }  // namespace foldless

@@ -12,7 +12,7 @@ namespace foldless {
 
 /// What every layer of a frame shares.
 struct Frame {
-  ClipTransform clip;     ///< from positions relative to the mesh's origin
+  ClipTransform clip;     ///< from positions in the mesh's local frame
   glm::vec2 viewport{1};  ///< pixels
   float ui_scale = 1;     ///< pixels in one design pixel
 };

@@ -50,9 +50,9 @@ void FillLayer::set_texture(const TextureLevels* image, const std::optional<Box>
 void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
                      const Checkerboard& board) const {
   const Box& box = image_ && image_place_ ? *image_place_ : mesh.rest_box();
-  const glm::dvec2 extent = glm::max(box.max - box.min, glm::dvec2(1e-300));
+  const glm::dvec2 extent = (box.max - box.min) / mesh.local().unit;
   use_in_frame(fill_, frame);
-  fill_.set("box_min", glm::vec2(box.min - mesh.origin()));
+  fill_.set("box_min", mesh.local().to_local(box.min));
   fill_.set("box_size", glm::vec2(extent));
   fill_.set("square_size", static_cast<float>(std::max(extent.x, extent.y) / board.squares));
   fill_.set("light", board.light);

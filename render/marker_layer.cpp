@@ -13,8 +13,8 @@ constexpr float kSplitRadius = 3.6F;
 constexpr double kReached = 0.75;  // a target nearer than this has no ghost
 constexpr glm::vec4 kNothing{0, 0, 0, 0};
 
-glm::vec2 relative(const Vec2& point, glm::dvec2 origin) {
-  return {static_cast<float>(point.x() - origin.x), static_cast<float>(point.y() - origin.y)};
+glm::vec2 local(const MarkerScene& scene, const Vec2& point) {
+  return scene.local.to_local({point.x(), point.y()});
 }
 
 const Points& points_of(const MarkerScene& scene) {
@@ -64,7 +64,7 @@ void add_handle(std::vector<Marker>& markers, const Handle& handle, const Marker
   const CanvasColours& colours = canvas_colours(scene.options.theme);
   const auto scale = static_cast<float>(scene.options.ui_scale);
   const bool selected = is_selected(handle, scene.view);
-  Marker body{.centre = relative(points_of(scene).col(handle.vertex), scene.origin),
+  Marker body{.centre = local(scene, points_of(scene).col(handle.vertex)),
               .radius = radius_of(handle) * scale,
               .roundness = handle.kind == HandleKind::pin ? 0.22F : 1.0F,
               .rim_width = 1.75F * scale,
@@ -148,7 +148,7 @@ void MarkerLayer::draw_split_vertices(const Frame& frame, const MarkerScene& sce
   std::vector<Marker> markers;
   for (const int v : vertices)
     if (v >= scene.snapshot.original_vertices)
-      markers.push_back({.centre = relative(points.col(v), scene.origin),
+      markers.push_back({.centre = local(scene, points.col(v)),
                          .radius = kSplitRadius * frame.ui_scale,
                          .roundness = 1,
                          .rim_width = frame.ui_scale,
@@ -170,12 +170,12 @@ void MarkerLayer::draw_handles(const Frame& frame, const MarkerScene& scene,
     const Vec2 way = points.col(handle.vertex) - handle.target;
     const double pixels = way.norm() * pixels_per_unit;
     if (pixels < kReached * frame.ui_scale) continue;
-    add_target(targets, relative(handle.target, scene.origin), scene);
+    add_target(targets, local(scene, handle.target), scene);
     if (pixels < kTargetRadius * frame.ui_scale) continue;
     // The line ends at the ring, whose inside stays free.
     const Vec2 end = handle.target + way * (kTargetRadius * frame.ui_scale / pixels);
-    segments.push_back(relative(end, scene.origin));
-    segments.push_back(relative(points.col(handle.vertex), scene.origin));
+    segments.push_back(local(scene, end));
+    segments.push_back(local(scene, points.col(handle.vertex)));
   }
   lines.begin(frame,
               {.colour = canvas_colours(scene.options.theme).target, .width = 1.75F, .dash = 5});

@@ -15,7 +15,7 @@ namespace foldless {
 
 /// One marker as it goes to the graphics card; lengths in pixels.
 struct Marker {
-  glm::vec2 centre;  ///< relative to the mesh's origin
+  glm::vec2 centre;  ///< in the mesh's local frame
   float radius;      ///< half its width, the rim included
   float roundness;   ///< 0 a square … 1 a disc
   float rim_width;
@@ -29,7 +29,7 @@ struct MarkerScene {
   const Snapshot& snapshot;
   const SceneView& view;
   const ViewOptions& options;
-  glm::dvec2 origin;  ///< of the mesh on the graphics card
+  LocalFrame local;  ///< of the mesh on the graphics card
 };
 
 /// Points of constant size on screen. A drag handle is a disc, a pin a square, a soft handle a ring

@@ -68,6 +68,8 @@ void MeshLayer::update(const Snapshot& snapshot, Pose pose) {
 
 void MeshLayer::adopt_connectivity(const Snapshot& snapshot) {
   rest_box_ = box_of(*snapshot.rest);
+  const glm::dvec2 extent = rest_box_.max - rest_box_.min;
+  local_ = {0.5 * (rest_box_.min + rest_box_.max), std::max(extent.x, extent.y)};
   upload_points(rest_, *snapshot.rest);
   corners_.clear();
   for (const int v : snapshot.triangles->reshaped())
@@ -126,8 +128,9 @@ void MeshLayer::append_lines(std::vector<std::uint32_t>& lines, EdgeSet set) {
 
 void MeshLayer::upload_points(const Buffer& buffer, const Points& points) {
   scratch_.resize(static_cast<std::size_t>(points.size()));
-  const Vec2 middle(origin().x, origin().y);
-  FloatPoints(scratch_.data(), 2, points.cols()) = (points.colwise() - middle).cast<float>();
+  const Vec2 middle(local_.origin.x, local_.origin.y);
+  FloatPoints(scratch_.data(), 2, points.cols()) =
+      ((points.colwise() - middle) / local_.unit).cast<float>();
   glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
   upload(GL_ARRAY_BUFFER, scratch_, GL_STREAM_DRAW);
 }

@@ -22,7 +22,7 @@ enum class EdgeSet { interior, boundary, flipped };
 
 /// A mesh on the graphics card: positions go there with every update, connectivity and rest
 /// positions only when Snapshot::revision changed, and indices also when other sheets lie in front.
-/// All are floats relative to origin(). It is painted in sheets, 0 at the back, each with its
+/// All are floats in the frame local(). It is painted in sheets, 0 at the back, each with its
 /// triangles and then its edges, so that nothing shows through what lies in front of it.
 class MeshLayer {
  public:
@@ -48,8 +48,8 @@ class MeshLayer {
   /// The vertices of a sheet: each belongs to the foremost of its triangles'.
   std::vector<std::vector<int>> vertices_by_sheet() const;
 
-  /// World point that stands at (0, 0) on the card: the middle of the rest mesh's box.
-  glm::dvec2 origin() const { return 0.5 * (rest_box_.min + rest_box_.max); }
+  /// The middle of the rest mesh's box is at (0, 0) on the card, its larger side is 1 long.
+  const LocalFrame& local() const { return local_; }
   const Box& rest_box() const { return rest_box_; }
   const RenderStats& stats() const { return stats_; }
 
@@ -75,6 +75,7 @@ class MeshLayer {
   std::vector<std::uint32_t> corners_;                   ///< three a triangle
   std::array<std::vector<MeshEdge>, 3> mesh_edges_;      ///< by EdgeSet
   Box rest_box_;
+  LocalFrame local_;
   std::optional<std::uint64_t> revision_;
   std::vector<Edge> flipped_edges_;  ///< those that are on the card
   std::vector<float> scratch_;

@@ -111,9 +111,9 @@ void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
 
   parts_->mesh.update(snapshot, options.pose);
   const glm::dvec2 viewport(view.viewport.width, view.viewport.height);
-  const Frame frame{clip_transform(view.camera, viewport, parts_->mesh.origin()), viewport,
+  const Frame frame{clip_transform(view.camera, viewport, parts_->mesh.local()), viewport,
                     static_cast<float>(options.ui_scale)};
-  const MarkerScene scene{snapshot, view, options, parts_->mesh.origin()};
+  const MarkerScene scene{snapshot, view, options, parts_->mesh.local()};
   if (options.layers.rest && options.pose != Pose::rest) parts_->draw_rest(frame, colours);
   parts_->prepare_heat(snapshot, options);
   // Whatever layers are on: a map that is not valid shows it.

@@ -32,7 +32,7 @@ void CanvasView::resize(int width, int height, double ui_scale) {
   canvas_.ui_scale = ui_scale;
   options_.ui_scale = ui_scale;
   remesh_diff_.resize(canvas_);
-  if (needs_fit_) fit_all();
+  if (is_fitted_) fit_all();
   messages_.redraw();
 }
 
@@ -49,6 +49,11 @@ ViewOptions CanvasView::shown_options() const {
 }
 
 void CanvasView::set_camera(const Camera& camera) {
+  is_fitted_ = false;
+  move_camera(camera);
+}
+
+void CanvasView::move_camera(const Camera& camera) {
   canvas_.camera = camera;
   remesh_diff_.follow(camera);
   messages_.redraw();
@@ -66,14 +71,14 @@ void CanvasView::actual_size() {
 }
 
 void CanvasView::fit_all() {
-  needs_fit_ = canvas_.width <= 1 || canvas_.height <= 1;
-  if (!draft_.shown() || needs_fit_) return;
+  is_fitted_ = true;
+  if (!draft_.shown() || canvas_.width <= 1 || canvas_.height <= 1) return;
   const Snapshot& shown = *draft_.shown();
   Box box = box_at(shown.deformed.col((*shown.triangles)(0, 0)));
   for (const int v : shown.triangles->reshaped()) extend(box, shown.deformed.col(v));
   for (const HandleView& handle : handle_views(draft_)) extend(box, handle.target);
   const Camera camera = fit_to_box(box, canvas_.size(), kMargin * canvas_.ui_scale);
-  set_camera(remesh_diff_.fit(*shown.rest, camera, kMargin));
+  move_camera(remesh_diff_.fit(*shown.rest, camera, kMargin));
 }
 
 void CanvasView::fit_selection() {
@@ -101,8 +106,7 @@ void CanvasView::hide_overlays(bool hidden) {
 
 void CanvasView::toggle_remesh_diff() {
   remesh_diff_.show(!remesh_diff_.is_shown());
-  // The canvas changes its size next.
-  needs_fit_ = true;
+  is_fitted_ = true;  // the canvas changes its size next
   messages_.redraw();
 }
 
@@ -115,6 +119,7 @@ void CanvasView::toggle_link() {
 }
 
 void CanvasView::set_rest_camera(const Camera& camera) {
+  is_fitted_ = false;
   canvas_.camera = remesh_diff_.move(camera, canvas_.camera);
   messages_.redraw();
 }
@@ -122,7 +127,7 @@ void CanvasView::set_rest_camera(const Camera& camera) {
 nlohmann::json CanvasView::json() const { return view_json(canvas_.camera, options_); }
 
 void CanvasView::read(const nlohmann::json& json) {
-  if (read_view(json, canvas_.camera, options_)) needs_fit_ = false;
+  if (read_view(json, canvas_.camera, options_)) is_fitted_ = false;
 }
 
 }  // namespace foldless

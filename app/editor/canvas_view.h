@@ -18,8 +18,8 @@ class CanvasView {
   CanvasView(const Draft& draft, Messages& messages) : draft_(draft), messages_(messages) {}
 
   const Canvas& canvas() const { return canvas_; }
-  /// Size of the canvas in framebuffer pixels and framebuffer pixels in one design pixel. The
-  /// first size fits the mesh into it.
+  /// Size of the canvas in framebuffer pixels and framebuffer pixels in one design pixel. What was
+  /// fitted and not moved since is fitted again.
   void resize(int width, int height, double ui_scale);
 
   /// As the user set them; change them freely.
@@ -54,10 +54,12 @@ class CanvasView {
   void read(const nlohmann::json& json);
 
  private:
+  void move_camera(const Camera& camera);
+
   const Draft& draft_;
   Messages& messages_;
   Canvas canvas_;
-  bool needs_fit_ = true;  ///< as soon as there is a canvas
+  bool is_fitted_ = true;  ///< by fit_all(), and stays so when the canvas changes
   ViewOptions options_;
   bool overlays_hidden_ = false;
   RemeshDiff remesh_diff_;

@@ -29,7 +29,7 @@ bool read_camera(const json& view, Camera& camera) {
   if (it == view.end() || !it->is_object()) return false;
   const auto x = number(*it, "x", -kFar, kFar);
   const auto y = number(*it, "y", -kFar, kFar);
-  const auto scale = number(*it, "pixels_per_unit", 1e-9, 1e9);
+  const auto scale = number(*it, "pixels_per_unit", 1e-120, 1e120);
   if (!x || !y || !scale) return false;
   camera = {{*x, *y}, *scale};
   return true;

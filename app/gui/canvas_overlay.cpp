@@ -108,8 +108,38 @@ void draw_sample_buttons(Editor& editor, const PanelContext& context) {
   ImGui::EndTable();
 }
 
-/// What to look at or to try, in the words of the scene, over the top of the canvas.
-void draw_description(const std::string& words, const CanvasBrush& brush, const Look& look) {
+/// What to look at or to try, in the words of the scene, until it is closed.
+void draw_description(const std::string& words, const PanelContext& context) {
+  if (words.empty() || words == context.state.closed_description) return;
+  const Look& look = context.look;
+  const Rectangle& canvas = context.layout.canvas;
+  const float width = std::min(canvas.width - look.px(28), look.px(580));
+  ImGui::SetNextWindowPos({canvas.x + canvas.width / 2, canvas.y + look.px(10)}, ImGuiCond_Always,
+                          {0.5F, 0});
+  ImGui::SetNextWindowBgAlpha(0.85F);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette->popup);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(10), look.px(5)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(6));
+  ImGui::Begin("##description", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::PushFont(look.fonts.small);
+  ImGui::PushTextWrapPos(width - look.px(40));
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::SameLine();
+  if (ImGui::SmallButton("×")) context.state.closed_description = words;
+  tooltip("Close", look);
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+}
+
+/// A line over the top of the canvas.
+void draw_plate_on_top(const std::string& words, const CanvasBrush& brush, const Look& look) {
   if (words.empty()) return;
   const float margin = look.px(14);
   const float width = std::min(brush.canvas.width - 2 * margin, look.px(560));
@@ -153,7 +183,7 @@ void draw_invitation(Editor& editor, const PanelContext& context) {
 void draw_preview_overlay(const Preview& preview, const PanelContext& context) {
   const Look& look = context.look;
   const Rectangle place = preview_place(context.layout, look.scale);
-  draw_description(preview.words, {*ImGui::GetBackgroundDrawList(), place}, look);
+  draw_plate_on_top(preview.words, {*ImGui::GetBackgroundDrawList(), place}, look);
 }
 
 void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
@@ -166,7 +196,7 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   if (editor.view().shown_options().layers.handles) draw_distances(editor, brush, context.look);
   if (!editor.draft().is_editing() && !editor.view().are_overlays_hidden() &&
       !editor.view().remesh_diff().is_shown())
-    draw_description(editor.document().description, brush, context.look);
+    draw_description(editor.document().description, context);
   if (const auto band = editor.input().band()) draw_band(*band, brush, context.look);
   list.PopClipRect();
 }

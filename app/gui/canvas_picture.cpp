@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/canvas_picture.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -59,7 +60,9 @@ ImageTexts picture_texts(const Editor& editor) {
       {"Method", document.parameters.method},
       {"Distortion", std::string(document.energy->name)}};
   if (const auto& snapshot = editor.shown(); snapshot && snapshot->iteration) {
-    texts["Iteration"] = std::to_string(snapshot->iteration->updates);
+    const Playback& playback = editor.playback();
+    const std::size_t newest = std::max<std::size_t>(playback.iterations().size(), 1) - 1;
+    texts["Iteration"] = std::to_string(playback.scrubbed().value_or(newest) + 1);
     texts["Energy"] = exact_words(snapshot->iteration->energy);
   }
   return texts;

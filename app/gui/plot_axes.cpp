@@ -22,13 +22,16 @@ std::string tick_words(double value) {
   return text.data();
 }
 
+/// The decades of what is positive; zeros, which have none, are drawn one decade lower.
 void fit_decades(PlotAxes& axes, const Plot& plot) {
   std::vector<double> ends;
   for (const PlotCurve& curve : plot.curves)
-    for (const double value : curve.values)
+    for (const double value : curve.values) {
       if (axes.is_drawable(value)) ends.push_back(value);
+      axes.has_zero = axes.has_zero || value == 0;
+    }
   const DecadeRange range = decades_of(ends);
-  axes.low = range.low;
+  axes.low = range.low - (axes.has_zero ? 1 : 0);
   axes.high = range.high;
 }
 
@@ -52,12 +55,13 @@ float PlotAxes::x(std::size_t index) const {
 }
 
 float PlotAxes::y(double value) const {
+  if (has_zero && value == 0) return max.y;
   const double place = ((is_logarithmic ? std::log10(value) : value) - low) / (high - low);
   return max.y - static_cast<float>(place) * (max.y - min.y);
 }
 
 bool PlotAxes::is_drawable(double value) const {
-  return std::isfinite(value) && (!is_logarithmic || value > 0);
+  return std::isfinite(value) && (!is_logarithmic || value > 0 || (has_zero && value == 0));
 }
 
 std::size_t PlotAxes::index_at(float x) const {
@@ -71,7 +75,9 @@ std::vector<PlotTick> PlotAxes::ticks(float distance) const {
   std::vector<PlotTick> ticks;
   if (is_logarithmic) {
     const int stride = static_cast<int>(std::ceil((high - low) / fit));
-    for (int e = static_cast<int>(low); e <= static_cast<int>(high); e += stride)
+    if (has_zero) ticks.push_back({0, "0"});
+    const int first = static_cast<int>(low) + (has_zero ? stride : 0);
+    for (int e = first; e <= static_cast<int>(high); e += stride)
       ticks.push_back({std::pow(10.0, e), power_of_ten(e)});
     return ticks;
   }

@@ -22,6 +22,7 @@ struct PlotAxes {
   double high = 1;        ///< and at the top
   std::size_t count = 0;  ///< iterations
   bool is_logarithmic = true;
+  bool has_zero = false;  ///< a logarithmic axis whose bottom stands for 0
 
   float x(std::size_t index) const;
   float y(double value) const;

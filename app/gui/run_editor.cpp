@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -18,7 +19,6 @@
 namespace foldless {
 namespace {
 
-constexpr Extent kFirstSize{1280, 800};
 constexpr double kLongestNap = 0.5;  // seconds
 constexpr const char* kNoDisplay =
     "There is no display to open a window on; `foldless solve SCENE -o DIR` and `foldless render "
@@ -58,14 +58,15 @@ Session* running = nullptr;
 /// The parts of the running program and its loop.
 class Session {
  public:
-  Session()
-      : window_("Foldless", kFirstSize),
+  explicit Session(const Settings& settings)
+      : window_("Foldless", {settings.window_width, settings.window_height}, settings.is_maximised),
         editor_({.state_folder = default_state_folder(), .wake = [this] { window_.wake(); }}),
         ui_({.state_folder = default_state_folder(),
              .pictures_folder = pictures_folder(),
              .clipboard = [this] { return window_.clipboard(); },
              .set_clipboard = [this](const std::string& text) { window_.set_clipboard(text); }}),
         log_(frame_log_file()) {
+    ui_.restore(editor_);
     running = this;
     std::atexit([] {
       if (running) running->rescue();
@@ -111,10 +112,20 @@ class Session {
     ui_.frame(editor_, {framebuffer, window_.size(), window_.content_scale(), last_start_});
     window_.set_title(editor_.files().title() + " – Foldless");
     window_.set_cursor(ui_.cursor());
+    remember_size();
     const double drawn = clock_.now();
     window_.swap_buffers();
     log_.add({last_start_, drawn - last_start_, clock_.now() - last_start_,
               editor_.draft().is_editing(), editor_.playback().iterations().size()});
+  }
+
+  void remember_size() {
+    Settings& settings = ui_.settings();
+    settings.is_maximised = window_.is_maximised();
+    if (settings.is_maximised) return;
+    const Extent size = window_.size();
+    settings.window_width = static_cast<int>(std::lround(size.width / window_.content_scale()));
+    settings.window_height = static_cast<int>(std::lround(size.height / window_.content_scale()));
   }
 
   /// Sleeps until the next frame is worth drawing: the solver may wake us more often than the
@@ -159,7 +170,7 @@ class Session {
 
 int run_editor(const std::optional<std::filesystem::path>& file) {
   if (!has_display()) throw Error(kNoDisplay);
-  Session session;
+  Session session(load_settings(settings_file(default_state_folder())));
   session.open(file);
   return session.run();
 }

@@ -6,12 +6,16 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "app/editor/autosave.h"
+#include "core/error.h"
+#include "core/files/atomic_file.h"
 
 namespace foldless {
 namespace {
 
+constexpr double kLeastWindow = 200, kLargestWindow = 16384;
 constexpr std::array kThemeNames{"dark", "light", "contrast"};  // in the order of Theme
 
 Theme theme_named(const std::string& name) {
@@ -19,33 +23,91 @@ Theme theme_named(const std::string& name) {
   return found == kThemeNames.end() ? Theme::dark : static_cast<Theme>(found - kThemeNames.begin());
 }
 
+/// What an object has under a key; what makes no sense is passed over.
+struct Reader {
+  const nlohmann::json& json;
+
+  const nlohmann::json* find(const char* key) const {
+    const auto it = json.find(key);
+    return it == json.end() ? nullptr : &*it;
+  }
+  template <class Number>
+  void number(const char* key, Number& value, double least, double most) const {
+    if (const auto* found = find(key); found && found->is_number())
+      value = static_cast<Number>(std::clamp(found->get<double>(), least, most));
+  }
+  void boolean(const char* key, bool& value) const {
+    if (const auto* found = find(key); found && found->is_boolean()) value = found->get<bool>();
+  }
+  std::vector<std::string> texts(const char* key) const {
+    std::vector<std::string> texts;
+    if (const auto* found = find(key); found && found->is_array())
+      for (const auto& entry : *found)
+        if (entry.is_string()) texts.push_back(entry.get<std::string>());
+    return texts;
+  }
+};
+
+Layers layers_named(const std::vector<std::string>& names) {
+  Layers layers;
+  for (const LayerRow& row : kLayerRows)
+    layers.*row.shown = std::ranges::find(names, row.name) != names.end();
+  return layers;
+}
+
+std::vector<std::string> names_of(const Layers& layers) {
+  std::vector<std::string> names;
+  for (const LayerRow& row : kLayerRows)
+    if (layers.*row.shown) names.emplace_back(row.name);
+  return names;
+}
+
 }  // namespace
+
+std::filesystem::path settings_file(const std::filesystem::path& state_folder) {
+  return state_folder.empty() ? state_folder : state_folder / "settings.json";
+}
 
 Settings load_settings(const std::filesystem::path& file) {
   Settings settings;
   std::ifstream in(file);
   const auto json = nlohmann::json::parse(in, nullptr, false);
   if (!json.is_object()) return settings;
-  if (const auto it = json.find("scale"); it != json.end() && it->is_number())
-    settings.scale = std::clamp(it->get<double>(), kSmallestScale, kLargestScale);
-  if (const auto it = json.find("theme"); it != json.end() && it->is_string())
-    settings.theme = theme_named(it->get<std::string>());
-  if (const auto it = json.find("panels"); it != json.end() && it->is_boolean())
-    settings.shows_panels = it->get<bool>();
-  if (const auto it = json.find("autosave_seconds"); it != json.end() && it->is_number())
-    settings.autosave_seconds =
-        std::clamp(it->get<double>(), Autosave::kShortestInterval, Autosave::kLongestInterval);
+  const Reader read{json};
+  read.number("scale", settings.scale, kSmallestScale, kLargestScale);
+  read.boolean("panels", settings.shows_panels);
+  read.number("autosave_seconds", settings.autosave_seconds, Autosave::kShortestInterval,
+              Autosave::kLongestInterval);
+  read.number("window_width", settings.window_width, kLeastWindow, kLargestWindow);
+  read.number("window_height", settings.window_height, kLeastWindow, kLargestWindow);
+  read.boolean("maximised", settings.is_maximised);
+  if (const auto theme = read.find("theme"); theme && theme->is_string())
+    settings.theme = theme_named(theme->get<std::string>());
+  if (read.find("pace")) read.number("pace", settings.pace.emplace(1), 1, 60);
+  for (const std::string& title : read.texts("closed_sections"))
+    settings.closed_sections.insert(title);
+  if (read.find("layers")) settings.layers = layers_named(read.texts("layers"));
   return settings;
 }
 
 void save_settings(const std::filesystem::path& file, const Settings& settings) {
   std::error_code ignored;
   std::filesystem::create_directories(file.parent_path(), ignored);
-  const nlohmann::json json{{"scale", settings.scale},
-                            {"theme", kThemeNames[static_cast<std::size_t>(settings.theme)]},
-                            {"panels", settings.shows_panels},
-                            {"autosave_seconds", settings.autosave_seconds}};
-  std::ofstream(file) << json.dump(2) << '\n';
+  nlohmann::json json{{"scale", settings.scale},
+                      {"theme", kThemeNames[static_cast<std::size_t>(settings.theme)]},
+                      {"panels", settings.shows_panels},
+                      {"closed_sections", settings.closed_sections},
+                      {"window_width", settings.window_width},
+                      {"window_height", settings.window_height},
+                      {"maximised", settings.is_maximised},
+                      {"autosave_seconds", settings.autosave_seconds}};
+  if (settings.pace) json["pace"] = *settings.pace;
+  if (settings.layers) json["layers"] = names_of(*settings.layers);
+  try {
+    write_file_atomically(file, json.dump(2) + "\n");
+  } catch (const Error&) {
+    // They last for the session.
+  }
 }
 
 }  // namespace foldless

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
 
 #include "render/view_options.h"
 
@@ -12,6 +15,12 @@ struct Settings {
   double scale = 1;  ///< on top of the desktop's scale, 0.75 … 3
   Theme theme = Theme::dark;
   bool shows_panels = true;
+  std::set<std::string> closed_sections;  ///< of the panels, by title
+  std::optional<double> pace;             ///< of the solver, see Playback::set_pace()
+  /// Of meshes without a picture, when the program was left; absent: the defaults.
+  std::optional<Layers> layers;
+  int window_width = 1280, window_height = 800;  ///< window coordinates, while not maximised
+  bool is_maximised = false;
   double autosave_seconds = 60;  ///< how long a change may wait for its copy, 15 … 3600
 
   bool operator==(const Settings&) const = default;
@@ -19,6 +28,9 @@ struct Settings {
 
 inline constexpr double kSmallestScale = 0.75;
 inline constexpr double kLargestScale = 3.0;
+
+/// Where they are kept; empty when the folder is.
+std::filesystem::path settings_file(const std::filesystem::path& state_folder);
 
 /// Reads settings; what is missing or cannot be read takes its default.
 Settings load_settings(const std::filesystem::path& file);

@@ -27,7 +27,13 @@ void draw_sections(std::initializer_list<SectionRow> rows, Editor& editor,
                    const PanelContext& context) {
   for (const SectionRow& row : rows) {
     ImGui::PushID(row.title);
-    if (section(row.title, context.look)) {
+    std::set<std::string>& closed = context.state.settings.closed_sections;
+    const bool is_open = section(row.title, !closed.contains(row.title), context.look);
+    if (is_open)
+      closed.erase(row.title);
+    else
+      closed.insert(row.title);
+    if (is_open) {
       row.draw(editor, context);
       ImGui::Dummy({0, context.look.px(4)});
     }

@@ -70,13 +70,15 @@ bool draw_slider(const ParameterRow& row, double& value, const Look& look) {
   return changed;
 }
 
-/// A dot before the names of values that were changed.
+/// A dot before the names of values that were changed; the others leave room for it.
 void draw_label(const ParameterRow& row, bool changed, const Look& look) {
+  const float room = look.px(8);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   if (changed)
     ImGui::GetWindowDrawList()->AddCircleFilled(
-        {corner.x - look.px(4), corner.y + ImGui::GetFrameHeight() / 2}, look.px(2.2F),
+        {corner.x + room / 2 - look.px(1), corner.y + ImGui::GetFrameHeight() / 2}, look.px(2.2F),
         packed(look.palette->accent));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(row.title.data(), row.title.data() + row.title.size());
 }
@@ -128,11 +130,14 @@ void draw_parameter(const ParameterRow& row, Editor& editor, const Look& look) {
   draw_label(row, changed, look);
   tooltip(words, look);
   ImGui::TableNextColumn();
-  const float reset = ImGui::GetFrameHeight() + look.px(3);
-  draw_value(row, editor, ImGui::GetContentRegionAvail().x - reset, look);
+  const float side = ImGui::GetFrameHeight();
+  const ImVec2 cell = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  draw_value(row, editor, width - side - look.px(3), look);
   tooltip(words, look);
   if (changed) {
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight());
+    ImGui::SameLine();
+    ImGui::SetCursorScreenPos({cell.x + width - side, cell.y});
     if (icon_button({"reset", Icon::reset, "Back to the default"}, look))
       editor.edits().reset_parameter(row);
   }

@@ -27,6 +27,7 @@ namespace {
 /// ImGui lays out what it met for the first time one frame later, and popups two.
 constexpr int kSettlingFrames = 3;
 constexpr double kTextCursorSeconds = 0.4;
+constexpr double kRestSeconds = 0.5;
 
 /// What the editor shows without being asked to by an event.
 struct News {
@@ -64,7 +65,8 @@ struct Ui::Parts {
   InputFeed feed;
   CanvasInput canvas_input;
   UiState state;
-  Settings saved_settings;
+  Settings known_settings;            ///< of the last frame
+  std::optional<double> saves_after;  ///< when they are to be written [s]
   Look look;
   Layout layout;
   std::string clipboard;  ///< keeps the text alive that ImGui was given
@@ -73,10 +75,11 @@ struct Ui::Parts {
   News news;                   ///< of the last frame
   bool scale_changed = false;  ///< the canvas shrank or grew under the drawing
 
-  std::filesystem::path settings_file() const { return options.state_folder / "settings.json"; }
   void connect_clipboard();
   void follow_scale(const FrameSpec& spec);
   void follow_settings();
+  void remember(const Editor& editor);
+  void save();
   void carry_out(const ExportJob& job, Editor& editor);
 };
 
@@ -110,11 +113,28 @@ void Ui::Parts::follow_scale(const FrameSpec& spec) {
   settling = kSettlingFrames;
 }
 
+/// What changes from frame to frame, as the size of a window, is written when it has come to rest.
 void Ui::Parts::follow_settings() {
-  if (state.settings == saved_settings) return;
-  saved_settings = state.settings;
+  if (saves_after && time >= *saves_after) save();
+  if (state.settings == known_settings) return;
+  known_settings = state.settings;
   settling = kSettlingFrames;
-  if (!options.state_folder.empty()) save_settings(settings_file(), saved_settings);
+  saves_after = time + kRestSeconds;
+}
+
+void Ui::Parts::save() {
+  if (!saves_after) return;
+  saves_after.reset();
+  if (!options.state_folder.empty())
+    save_settings(settings_file(options.state_folder), state.settings);
+}
+
+/// What the user changes elsewhere than in the settings.
+void Ui::Parts::remember(const Editor& editor) {
+  state.settings.pace = editor.playback().pace();
+  const Document& document = editor.document();
+  if (!document.is_empty() && document.texture.empty())
+    state.settings.layers = editor.view().options().layers;
 }
 
 void Ui::Parts::carry_out(const ExportJob& job, Editor& editor) {
@@ -143,12 +163,18 @@ Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
   InputFeed::map_keys(io);
   parts_->connect_clipboard();
   if (!parts_->options.state_folder.empty())
-    parts_->state.settings = load_settings(parts_->settings_file());
-  parts_->saved_settings = parts_->state.settings;
+    parts_->state.settings = load_settings(settings_file(parts_->options.state_folder));
+  parts_->known_settings = parts_->state.settings;
   parts_->state.samples = find_samples();
 }
 
-Ui::~Ui() = default;
+Ui::~Ui() { parts_->save(); }
+
+void Ui::restore(Editor& editor) const {
+  const Settings& settings = parts_->state.settings;
+  editor.playback().set_pace(settings.pace);
+  if (settings.layers) editor.view().options().layers = *settings.layers;
+}
 
 void Ui::receive(UiEvent event) {
   parts_->feed.push(std::move(event));
@@ -179,6 +205,7 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   draw_panels(editor);
   ImGui::Render();
   p.ui_renderer.draw(*ImGui::GetDrawData());
+  p.remember(editor);
   p.follow_settings();
   p.settling = std::max(0, p.settling - 1);
 }
@@ -243,6 +270,8 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
   if (parts_->settling > 0 || !parts_->feed.is_empty()) return 0.0;
   std::optional<double> next;
   if (const auto wake = editor.next_wake()) next = std::max(0.0, *wake - now);
+  if (const auto& saves = parts_->saves_after)
+    next = std::min(next.value_or(kRestSeconds), std::max(0.0, *saves - now));
   if (ImGui::GetIO().WantTextInput) next = std::min(next.value_or(1), kTextCursorSeconds);
   return next;
 }

@@ -42,6 +42,8 @@ class Ui {
   Ui(const Ui&) = delete;
   Ui& operator=(const Ui&) = delete;
 
+  /// Gives an editor in which nothing was opened yet what the user had the last time.
+  void restore(Editor& editor) const;
   void receive(UiEvent event);
   /// Handles what was received, updates the editor, and draws both.
   void frame(Editor& editor, const FrameSpec& spec);

@@ -27,6 +27,7 @@ struct UiState {
   bool shows_cheat_sheet = false;
   bool shows_about = false;
   bool wants_to_quit = false;
+  std::string closed_description;  ///< of a scene: it is not shown again
   /// Which of convergence_series() the plots panel draws.
   std::array<bool, 8> shown_series{true, true, true};
   std::filesystem::path last_folder;    ///< where the last file was opened or saved

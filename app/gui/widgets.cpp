@@ -98,19 +98,16 @@ bool main_button(const char* label, const Look& look) {
   return pressed;
 }
 
-bool section(const char* title, const Look& look) {
-  ImGuiStorage& storage = *ImGui::GetStateStorage();
-  const ImGuiID id = ImGui::GetID("open");
-  bool open = storage.GetBool(id, true);
+bool section(const char* title, bool is_open, const Look& look) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
-  if (ImGui::InvisibleButton("##heading", {ImGui::GetContentRegionAvail().x, height})) open = !open;
-  storage.SetBool(id, open);
+  if (ImGui::InvisibleButton("##heading", {ImGui::GetContentRegionAvail().x, height}))
+    is_open = !is_open;
   const ImVec4& colour = ImGui::IsItemHovered() ? look.palette->text : look.palette->dim;
   const float r = look.px(3.2F);
   const ImVec2 c{corner.x + r, corner.y + height / 2};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (open)
+  if (is_open)
     list.AddTriangleFilled({c.x - r, c.y - r * 0.6F}, {c.x + r, c.y - r * 0.6F}, {c.x, c.y + r},
                            packed(colour));
   else
@@ -120,7 +117,7 @@ bool section(const char* title, const Look& look) {
   list.AddText(font, font->FontSize,
                {corner.x + look.px(14), corner.y + (height - font->FontSize) / 2},
                packed(look.palette->text), title);
-  return open;
+  return is_open;
 }
 
 void dim_text(const std::string& text, const Look& look) {

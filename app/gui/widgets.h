@@ -27,8 +27,8 @@ bool icon_button(const IconButton& button, const Look& look);
 /// A button in the accent colour: the one thing a dialog is for.
 bool main_button(const char* label, const Look& look);
 
-/// A heading that folds its section away; true when the section is open.
-bool section(const char* title, const Look& look);
+/// A heading that folds its section away, or opens it; returns whether it is open now.
+bool section(const char* title, bool is_open, const Look& look);
 
 /// One line of secondary text, cut at the end when it does not fit.
 void dim_text(const std::string& text, const Look& look);

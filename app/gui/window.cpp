@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/gui/app_icon.h"
 #include "core/error.h"
 
 namespace foldless {
@@ -69,7 +70,7 @@ bool has_display() {
   return x11 && *x11 != '\0';
 }
 
-Window::Window(const std::string& title, Extent size) : title_(title) {
+Window::Window(const std::string& title, Extent size, bool is_maximised) : title_(title) {
   if (!glfwInit()) throw Error("The window system cannot be used" + glfw_reason());
   window_ = make_window(title, size);
   if (!window_) {
@@ -80,6 +81,8 @@ Window::Window(const std::string& title, Extent size) : title_(title) {
   glfwSwapInterval(1);
   glfwSetWindowSizeLimits(window_, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
   make_cursors();
+  set_icon();
+  if (is_maximised) glfwMaximizeWindow(window_);
   send_events_to(window_, events_);
   glfwShowWindow(window_);
 }
@@ -108,6 +111,18 @@ void Window::wait_events(double seconds) {
 
 void Window::wake() {
   if (!is_woken_.exchange(true)) glfwPostEmptyEvent();
+}
+
+void Window::set_icon() {
+  std::vector<Image> pictures{app_icon(16), app_icon(32), app_icon(64)};
+  std::vector<GLFWimage> icons;
+  for (Image& picture : pictures)
+    icons.push_back({picture.width, picture.height, picture.pixels.data()});
+  glfwSetWindowIcon(window_, static_cast<int>(icons.size()), icons.data());
+}
+
+bool Window::is_maximised() const {
+  return glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
 }
 
 std::vector<UiEvent> Window::take_events() { return std::exchange(events_.events, {}); }

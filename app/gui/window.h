@@ -20,10 +20,10 @@ bool has_display();
 /// that made it may use it, but wake() is for any thread.
 class Window {
  public:
-  /// Size in window coordinates. Asks for 4 samples a pixel; takes fewer when they are
-  /// refused, and none when there is no graphics card.
+  /// Size in design pixels. Asks for 4 samples a pixel; takes fewer when they are refused, and none
+  /// when there is no graphics card.
   /// Throws Error when there is no display or no OpenGL 3.3.
-  Window(const std::string& title, Extent size);
+  Window(const std::string& title, Extent size, bool is_maximised);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -40,6 +40,7 @@ class Window {
   Extent size() const;              ///< window coordinates
   Extent framebuffer_size() const;  ///< pixels
   float content_scale() const;      ///< pixels in a design pixel that the desktop asks for
+  bool is_maximised() const;
   double refresh_interval() const;  ///< seconds between two pictures of the display
 
   void set_title(const std::string& title);
@@ -50,6 +51,7 @@ class Window {
 
  private:
   void make_cursors();
+  void set_icon();
 
   GLFWwindow* window_ = nullptr;
   std::vector<GLFWcursor*> cursors_;

@@ -79,6 +79,21 @@ void check_mixed_orientation(const Signs& signs, const TriangleSoup& mesh) {
          signs.count[wrong], "triangle", "orient all faces the same way and unfold the mesh");
 }
 
+/// Squares of lengths must be numbers, and so must their squares.
+void check_size(const Points& points, const MeshSource& source) {
+  constexpr double kMost = 1e75, kLeast = 1e-75;
+  Eigen::Index v = 0;
+  const Eigen::VectorXd reach = points.cwiseAbs().colwise().maxCoeff();
+  if (reach.maxCoeff(&v) > kMost)
+    refuse(source.at_vertex(static_cast<int>(v)) + " is farther from (0, 0) than 1e75",
+           static_cast<std::size_t>((reach.array() > kMost).count()), "vertex",
+           "use a larger unit of length");
+  const Vec2 extent = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
+  if (extent.maxCoeff() < kLeast)
+    refuse(source.at_vertex(0) + " and all others lie within 1e-75",
+           static_cast<std::size_t>(points.cols()), "vertex", "use a smaller unit of length");
+}
+
 void check_covers(const InjectivityReport& report, const MeshSource& source) {
   if (!report.first_branch_vertex) return;
   refuse(source.at_vertex(*report.first_branch_vertex) +
@@ -127,6 +142,7 @@ void check_connectivity(const Triangles& triangles, int vertex_count, const Mesh
 
 void check_positions(const Triangles& triangles, const Points& points, const MeshSource& source,
                      BoundaryOverlaps allowed) {
+  check_size(points, source);
   const InjectivityReport report = check_injectivity(triangles, points);
   if (report.first_degenerate)
     refuse(source.at_triangle(*report.first_degenerate, triangles) + " has zero area",

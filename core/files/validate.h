@@ -18,7 +18,8 @@ void check_connectivity(const Triangles& triangles, int vertex_count, const Mesh
 /// Whether boundary vertices may overlap themselves, as published methods leave them in M′.
 enum class BoundaryOverlaps { refused, allowed };
 
-/// Refuses positions (2 × #V) that are not locally injective: a triangle of area zero, a clockwise
+/// Refuses positions (2 × #V) beyond ±1e75 or all within 1e-75, and those that are not locally
+/// injective: a triangle of area zero, a clockwise
 /// triangle, an interior vertex covered more than once, a boundary vertex whose angles add up to 2π
 /// or more; all exact. Throws Error. Precondition: the triangles passed check_connectivity().
 void check_positions(const Triangles& triangles, const Points& points, const MeshSource& source,

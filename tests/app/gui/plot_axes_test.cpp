@@ -44,6 +44,22 @@ TEST(PlotAxes, PutsValuesWhereTheyBelong) {
   EXPECT_TRUE(linear.is_drawable(0));
 }
 
+TEST(PlotAxes, ZerosHaveAPlaceAtTheBottomOfALogarithmicAxis) {
+  const std::array curves{PlotCurve{"E", {1.0, 0.01, 0.0}, {}}};
+  ImFont font;
+  font.FontSize = 10;
+  const PlotAxes with_zero = axes_of({"id", "title", curves, true, {}, {200, 100}, &font}, {0, 0});
+  EXPECT_TRUE(with_zero.is_drawable(0));
+  EXPECT_FLOAT_EQ(with_zero.y(0), with_zero.max.y);
+  EXPECT_LT(with_zero.y(0.01), with_zero.max.y - 10) << "0 is not 0.01";
+  EXPECT_EQ(with_zero.ticks(10).front().label, "0");
+
+  const std::array nothing_but_zeros{PlotCurve{"E", {0.0, 0.0}, {}}};
+  const PlotAxes zeros =
+      axes_of({"id", "title", nothing_but_zeros, true, {}, {200, 100}, &font}, {0, 0});
+  EXPECT_TRUE(zeros.is_drawable(0));
+}
+
 TEST(PlotAxes, FindsTheIterationUnderThePointer) {
   const PlotAxes a = axes(0, 1, false);
   for (std::size_t i = 0; i < a.count; ++i) EXPECT_EQ(a.index_at(a.x(i) + 4), i);

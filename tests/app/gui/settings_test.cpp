@@ -23,7 +23,17 @@ class SettingsFile : public testing::Test {
 };
 
 TEST_F(SettingsFile, ComesBackAsItWasWritten) {
-  const Settings settings{.scale = 1.5, .theme = Theme::contrast, .shows_panels = false};
+  Settings settings;
+  settings.scale = 1.5;
+  settings.theme = Theme::contrast;
+  settings.shows_panels = false;
+  settings.closed_sections = {"History", "Solver"};
+  settings.pace = 12.5;
+  settings.layers = Layers{.wireframe = false, .heat = true};
+  settings.window_width = 1000;
+  settings.window_height = 700;
+  settings.is_maximised = true;
+  settings.autosave_seconds = 300;
   save_settings(folder_ / "new" / "settings.json", settings);
   EXPECT_EQ(load_settings(folder_ / "new" / "settings.json"), settings);
 }
