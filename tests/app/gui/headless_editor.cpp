@@ -19,6 +19,7 @@ HeadlessEditor::HeadlessEditor(Extent size, UiOptions options, EditorOptions edi
       offscreen_(size.width, size.height),
       editor_(std::move(editor_options)),
       ui_(std::move(options)) {
+  ui_.restore(editor_);
   settle();
 }
 

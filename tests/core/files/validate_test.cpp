@@ -50,6 +50,18 @@ TEST(Validate, RefusesCoordinatesThatAreNotFinite) {
             "every coordinate must be a finite number");
 }
 
+TEST(Validate, RefusesLengthsThatCannotBeSquaredTwice) {
+  const auto triangle = [](const std::string& x) {
+    return "v 0 0 0\nv " + x + " 0 0\nv 0 1 0\nf 1 2 3\n";
+  };
+  EXPECT_EQ(error_in_mesh(triangle("1e75")), "");
+  EXPECT_NE(error_in_mesh(triangle("1e76")).find("a.obj:2: vertex 2 is farther from (0, 0)"),
+            std::string::npos)
+      << error_in_mesh(triangle("1e76"));
+  const std::string tiny = "v 0 0 0\nv 1e-76 0 0\nv 0 1e-76 0\nf 1 2 3\n";
+  EXPECT_NE(error_in_mesh(tiny).find("within 1e-75"), std::string::npos) << error_in_mesh(tiny);
+}
+
 TEST(Validate, RefusesIndicesOutOfRange) {
   EXPECT_EQ(error_in_mesh(kSquare + "f 1 2 3\nf 1 3 7\nf 0 1 2\n"),
             "a.obj:6: face 2 names vertex 7, but the vertices are 1 to 4 (2 faces in all); a face "
