@@ -4,13 +4,14 @@
 #include <array>
 
 #include "app/editor/editor.h"
-#include "app/editor/handle_depth.h"
+#include "app/editor/handle_edits.h"
 
 namespace foldless {
 namespace {
 
 constexpr Modifiers kNone{};
 constexpr Modifiers kShift{.shift = true};
+constexpr Modifiers kAlt{.alt = true};
 constexpr Modifiers kControl{.control = true};
 constexpr Modifiers kControlShift{.shift = true, .control = true};
 constexpr double kZoomStep = 1.25;
@@ -19,6 +20,7 @@ bool always(const Editor&) { return true; }
 bool has_mesh(const Editor& e) { return !e.document().is_empty(); }
 bool has_handles(const Editor& e) { return !e.document().handles.empty(); }
 bool has_selection(const Editor& e) { return !e.selection().ids().empty(); }
+bool has_several(const Editor& e) { return e.selection().ids().size() > 1; }
 bool has_texture(const Editor& e) { return !e.document().texture.empty(); }
 bool can_undo(const Editor& e) { return e.draft().is_editing() || e.draft().history().can_undo(); }
 bool can_redo(const Editor& e) { return e.draft().history().can_redo(); }
@@ -80,6 +82,11 @@ void ask(Editor& e) {
   e.messages().request(R);
 }
 
+template <Transformation What>
+void begin(Editor& e) {
+  begin_transformation(e, What);
+}
+
 template <std::size_t K>
 void toggle_layer(Editor& e) {
   bool& shown = e.view().options().layers.*kLayerRows[K].shown;
@@ -118,6 +125,11 @@ Command repeating(Command command) {
   return command;
 }
 
+/// With Shift ten times, with Alt a tenth as far.
+Command nudging(std::string_view name, std::string_view title, Key key, void (*run)(Editor&)) {
+  return repeating({name, "Handles", title, {{key, kNone}, {key, kShift}, {key, kAlt}}, has_selection, run});
+}
+
 std::vector<Command> file_commands() {
   return {
       {"file.new", "File", "New", {{Key::n, kControl}}, always, call<&DocumentFiles::new_document>},
@@ -143,13 +155,25 @@ std::vector<Command> edit_commands() {
       repeating({"edit.undo", "Edit", "Undo", {{Key::z, kControl}}, can_undo, call<&Draft::undo>}),
       repeating({"edit.redo", "Edit", "Redo", {{Key::z, kControlShift}, {Key::y, kControl}}, can_redo, call<&Draft::redo>}),
       {"edit.delete", "Edit", "Delete handles", {{Key::del, kNone}, {Key::backspace, kNone}}, has_selection, call<&DocumentEdits::delete_selected>},
-      {"handle.forward", "Edit", "Bring forward", {{Key::right_bracket, kNone}}, has_selection, bring_forward},
-      {"handle.back", "Edit", "Send back", {{Key::left_bracket, kNone}}, has_selection, send_back},
       {"edit.reset_pose", "Edit", "Reset pose", {{Key::r, kControl}}, has_mesh, call<&DocumentEdits::reset_pose>},
       {"select.all", "Edit", "Select all", {{Key::a, kControl}}, has_handles, call<&Selection::select_all>},
       {"select.none", "Edit", "Select none", {{Key::a, kControlShift}}, has_selection, call<&Selection::select_none>},
       {"select.invert", "Edit", "Invert selection", {{Key::i, kControl}}, has_handles, call<&Selection::invert>},
       in_race({"edit.escape", "Edit", "Cancel, stop or deselect", {{Key::escape, kNone}}, always, call<&Editor::escape>}),
+  };
+}
+
+std::vector<Command> handle_commands() {
+  return {
+      {"handle.pin", "Handles", "Pin or drag", {{Key::k, kNone}}, has_selection, toggle_pin},
+      {"handle.turn", "Handles", "Turn", {{Key::r, kNone}}, has_several, begin<Transformation::turn>},
+      {"handle.scale", "Handles", "Scale", {{Key::s, kNone}}, has_several, begin<Transformation::scale>},
+      nudging("handle.left", "Nudge left", Key::left, [](Editor& e) { nudge(e, {-1, 0}); }),
+      nudging("handle.right", "Nudge right", Key::right, [](Editor& e) { nudge(e, {1, 0}); }),
+      nudging("handle.up", "Nudge up", Key::up, [](Editor& e) { nudge(e, {0, 1}); }),
+      nudging("handle.down", "Nudge down", Key::down, [](Editor& e) { nudge(e, {0, -1}); }),
+      {"handle.forward", "Handles", "Bring forward", {{Key::right_bracket, kNone}}, has_selection, bring_forward},
+      {"handle.back", "Handles", "Send back", {{Key::left_bracket, kNone}}, has_selection, send_back},
   };
 }
 
@@ -202,7 +226,8 @@ std::vector<Command> view_commands() {
 
 std::vector<Command> command_table() {
   std::vector<Command> table;
-  for (const auto& part : {file_commands(), edit_commands(), solve_commands(), view_commands()})
+  for (const auto& part :
+       {file_commands(), edit_commands(), handle_commands(), solve_commands(), view_commands()})
     table.insert(table.end(), part.begin(), part.end());
   return table;
 }

@@ -22,6 +22,16 @@ void DocumentEdits::delete_selected() {
 
 void DocumentEdits::change_selected(const std::string& label,
                                     const std::function<void(Handle&)>& change) {
+  change_handles(label, change, Change::appearance);
+}
+
+void DocumentEdits::change_selected_constraints(const std::string& label,
+                                                const std::function<void(Handle&)>& change) {
+  change_handles(label, change, Change::mesh);
+}
+
+void DocumentEdits::change_handles(const std::string& label,
+                                   const std::function<void(Handle&)>& change, Change what) {
   draft_.interrupt();
   const auto changed = [&](std::vector<Handle> handles) {
     for (Handle& handle : handles)
@@ -32,7 +42,7 @@ void DocumentEdits::change_selected(const std::string& label,
   draft_.begin_edit();
   Document document = draft_.document();  // with the handles of the iteration that is shown, if any
   document.handles = changed(std::move(document.handles));
-  draft_.apply(std::move(document), Change::appearance);
+  draft_.apply(std::move(document), what);
   draft_.commit(label);
 }
 
@@ -68,7 +78,7 @@ void DocumentEdits::set_parameter(const ParameterRow& row, double value) {
   Document document = draft_.document();
   if (row.get(document.parameters, *document.energy) == value) return;
   row.set(document.parameters, value);
-  draft_.edit_parameters(std::string(row.title), std::move(document));
+  draft_.edit_again(std::string(row.title), std::move(document), Change::parameters);
 }
 
 void DocumentEdits::reset_parameter(const ParameterRow& row) {

@@ -7,7 +7,7 @@
 namespace foldless {
 namespace {
 
-/// Moves of one slider that follow each other this closely make one undo step. [s]
+/// Moves of one slider or key that follow each other this closely make one undo step. [s]
 constexpr double kMergeSeconds = 1;
 
 constexpr std::string_view kFoldedMapLeft =
@@ -124,13 +124,13 @@ void Draft::edit(std::string label, Document document, Change change) {
   commit(std::move(label));
 }
 
-void Draft::edit_parameters(const std::string& label, Document document) {
+void Draft::edit_again(const std::string& label, Document document, Change change) {
   const double now = messages_.now();
   if (last_change_ && last_change_->label == label && now - last_change_->time < kMergeSeconds) {
-    apply(std::move(document), Change::parameters);
+    apply(std::move(document), change);
     history_.refresh(document_);
   } else {
-    edit(label, std::move(document), Change::parameters);
+    edit(label, std::move(document), change);
   }
   last_change_ = LastChange{label, now};
 }

@@ -78,8 +78,8 @@ class Draft {
   void abandon_edit();
   /// A whole edit.
   void edit(std::string label, Document document, Change change);
-  /// A whole edit of parameters; it is one step with an edit of the same label just before.
-  void edit_parameters(const std::string& label, Document document);
+  /// A whole edit that is one step with those of the same label just before it.
+  void edit_again(const std::string& label, Document document, Change change);
   /// Brings the current step up to date; the next edit makes a step of its own.
   void seal();
 
@@ -116,7 +116,7 @@ class Draft {
   Solving solving_;
   std::function<bool()> interrupt_;
   std::optional<Edit> edit_;
-  std::optional<LastChange> last_change_;  ///< of a parameter, to make one step of a slider's moves
+  std::optional<LastChange> last_change_;  ///< by edit_again()
   bool targets_moved_ = false;             ///< since the solver was told
 
   std::shared_ptr<const Snapshot> shown_;

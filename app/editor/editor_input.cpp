@@ -58,6 +58,10 @@ void EditorInput::on(const KeyPressed& event) {
     if (!event.is_repeat) space_ = SpaceKey{editor_.messages().now(), false};
     return;
   }
+  if (event.key == Key::l && event.modifiers == Modifiers{}) is_lasso_held_ = true;
+  std::unique_ptr<Tool> next;
+  if (tool_->key(editor_, event, next)) return take_over(std::move(next));
+  modifiers_ = event.modifiers;
   const Command* command = find_command(Shortcut{event.key, event.modifiers});
   if (!command || (event.is_repeat && !command->repeats)) return;
   if (command->release) {
@@ -68,6 +72,8 @@ void EditorInput::on(const KeyPressed& event) {
 }
 
 void EditorInput::on(const KeyReleased& event) {
+  if (event.key == Key::l) is_lasso_held_ = false;
+  modifiers_ = {};
   if (event.key == Key::space && space_) {
     const SpaceKey space = *std::exchange(space_, std::nullopt);
     if (!space.has_panned && editor_.messages().now() - space.since < kTapSeconds)
@@ -85,11 +91,14 @@ void EditorInput::on(const FilesDropped& event) {
 
 void EditorInput::on(const FocusLost&) {
   space_.reset();
+  is_lasso_held_ = false;
   if (held_command_) std::exchange(held_command_, nullptr)->release(editor_);
   for (const Button button : {Button::left, Button::right, Button::middle})
     on(PointerReleased{button, pointer_, {}});
   editor_.draft().selection().hover(std::nullopt);
 }
+
+void EditorInput::begin(std::unique_ptr<Tool> tool) { take_over(std::move(tool)); }
 
 bool EditorInput::cancel_gesture() {
   if (is_idle()) return false;

@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/editor/commands.h"
 #include "app/editor/input.h"
@@ -21,7 +23,17 @@ class EditorInput {
   bool is_idle() const { return tool_->is_idle(); }
   /// Cancels the gesture that is under way; returns whether there was one.
   bool cancel_gesture();
+  /// Begins one that no press begins.
+  void begin(std::unique_ptr<Tool> tool);
+  /// To draw, see Tool.
   std::optional<PixelBox> band() const { return tool_->band(); }
+  std::vector<Vec2> lasso() const { return tool_->lasso(); }
+  std::string words() const { return tool_->words(); }
+  /// Where it was last, in pixels of the canvas.
+  const Vec2& pointer() const { return pointer_; }
+  /// Of the key that was pressed last, until it is released.
+  const Modifiers& modifiers() const { return modifiers_; }
+  bool is_lasso_held() const { return is_lasso_held_; }
   bool is_space_held() const { return space_.has_value(); }
 
  private:
@@ -45,6 +57,8 @@ class EditorInput {
   std::unique_ptr<Tool> tool_;
   Vec2 pointer_ = Vec2::Zero();
   std::optional<SpaceKey> space_;
+  bool is_lasso_held_ = false;
+  Modifiers modifiers_;
   const Command* held_command_ = nullptr;  ///< whose key is down, if it lasts as long as that
   Key held_key_ = Key::none;
 };

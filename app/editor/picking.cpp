@@ -32,6 +32,29 @@ std::optional<int> next_triangle_at(const Triangles& triangles, const Points& po
   return std::nullopt;
 }
 
+/// Whether a ray from the point to the right crosses the closed line an odd number of times.
+bool surrounds(const std::vector<Vec2>& line, const Vec2& p) {
+  bool is_inside = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vec2 &a = line[i], &b = line[(i + 1) % line.size()];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    const double x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    if (x > p.x()) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+template <class IsWanted>
+std::vector<int> handles_where(const Snapshot* shown, const Canvas& canvas,
+                               const IsWanted& is_wanted) {
+  std::vector<int> ids;
+  if (!shown) return ids;
+  for (const Handle& handle : shown->handles)
+    if (is_wanted(canvas.to_pixel(shown->deformed.col(handle.vertex)))) ids.push_back(handle.id);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
 /// The nearest of some vertices within the hit radius of a pixel.
 class NearestVertex {
  public:
@@ -74,12 +97,12 @@ std::optional<HandleHit> pick_handle(const Snapshot* shown, const Canvas& canvas
 }
 
 std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const PixelBox& box) {
-  std::vector<int> ids;
-  if (!shown) return ids;
-  for (const Handle& handle : shown->handles)
-    if (box.contains(canvas.to_pixel(shown->deformed.col(handle.vertex)))) ids.push_back(handle.id);
-  std::sort(ids.begin(), ids.end());
-  return ids;
+  return handles_where(shown, canvas, [&](const Vec2& pixel) { return box.contains(pixel); });
+}
+
+std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas,
+                            const std::vector<Vec2>& lasso) {
+  return handles_where(shown, canvas, [&](const Vec2& pixel) { return surrounds(lasso, pixel); });
 }
 
 std::optional<int> triangle_at(const Snapshot& shown, const Vec2& world, PaintOrder& order) {

@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/editor/canvas.h"
 #include "app/editor/input.h"
@@ -27,8 +29,17 @@ class Tool {
   virtual bool is_idle() const { return false; }
   /// True while the gesture changes the document.
   virtual bool is_editing() const { return false; }
+  /// A key before the commands see it; true when it was for the tool, `next` then as above.
+  virtual bool key(Editor&, const KeyPressed&, std::unique_ptr<Tool>& next) {
+    next = nullptr;
+    return false;
+  }
   /// The selection band to draw, if there is one.
   virtual std::optional<PixelBox> band() const { return std::nullopt; }
+  /// The line round what is selected, in pixels; empty when there is none.
+  virtual std::vector<Vec2> lasso() const { return {}; }
+  /// What the gesture does so far, and how it ends; empty where that is plain.
+  virtual std::string words() const { return {}; }
 };
 
 /// The tool that waits for a gesture to begin.

@@ -32,6 +32,14 @@ void draw_band(const PixelBox& band, const CanvasBrush& brush, const Look& look)
   brush.list.AddRect(low, high, IM_COL32_BLACK, 0, 0, look.px(1));
 }
 
+void draw_lasso(const std::vector<Vec2>& line, const CanvasBrush& brush, const Look& look) {
+  std::vector<ImVec2> points;
+  for (const Vec2& pixel : line) points.push_back(brush.at(pixel));
+  const int count = static_cast<int>(points.size());
+  brush.list.AddPolyline(points.data(), count, IM_COL32_WHITE, ImDrawFlags_Closed, look.px(3));
+  brush.list.AddPolyline(points.data(), count, IM_COL32_BLACK, ImDrawFlags_Closed, look.px(1));
+}
+
 /// Text on a plate of its own, readable over a checkerboard; `middle` is its centre.
 void draw_plate(const std::string& words, const ImVec2& middle, const CanvasBrush& brush,
                 const Look& look) {
@@ -198,6 +206,7 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
       !editor.view().remesh_diff().is_shown())
     draw_description(editor.document().description, context);
   if (const auto band = editor.input().band()) draw_band(*band, brush, context.look);
+  draw_lasso(editor.input().lasso(), brush, context.look);
   list.PopClipRect();
 }
 

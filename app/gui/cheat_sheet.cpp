@@ -15,12 +15,13 @@ struct Gesture {
   const char* effect;
 };
 
-constexpr std::array<Gesture, 9> kGestures{{
+constexpr std::array<Gesture, 10> kGestures{{
     {"Click", "Place a handle on the mesh"},
     {"Drag", "Place and bend in one go"},
     {"Drag a handle", "Bend"},
     {"Shift+click", "Add to the selection"},
     {"Drag on empty", "Select in a box"},
+    {"L+drag", "Select with a lasso"},
     {"Wheel", "Zoom about the pointer"},
     {"Middle drag", "Move the view"},
     {"Space+drag", "Move the view"},
@@ -78,6 +79,7 @@ void draw_cheat_sheet(Editor&, const PanelContext& context) {
   if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
     draw_gestures(look);
+    draw_menu("Handles", look);
     draw_menu("Solve", look);
     ImGui::TableNextColumn();
     draw_menu("File", look);

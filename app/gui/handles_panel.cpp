@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <set>
 #include <string>
 
-#include "app/editor/handle_depth.h"
+#include "app/editor/handle_edits.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
@@ -57,19 +58,51 @@ void draw_row(const HandleView& handle, Editor& editor, const PanelContext& cont
   editor.selection().select(std::move(selection));
 }
 
-/// A typed number counts with Enter: a click elsewhere may select other handles at once.
-void draw_depth(Editor& editor, const Look& look) {
-  const SelectedDepth selected = selected_depth(editor);
-  if (!selected.is_there) return;
+/// A row of what the selected handles have: its name, and the next item fills the rest.
+void begin_field(const char* name, const Look& look) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Depth");
+  ImGui::TextUnformatted(name);
   ImGui::SameLine(look.px(64));
   ImGui::SetNextItemWidth(-1);
-  double depth = selected.common.value_or(0);
-  const char* format = selected.common ? "%.6g" : "several";
+}
+
+/// A typed number counts with Enter: a click elsewhere may select other handles at once.
+std::optional<double> draw_number(const char* id, std::optional<double> common, double step) {
+  double value = common.value_or(0);
   constexpr ImGuiInputTextFlags kFlags =
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
-  if (ImGui::InputDouble("##depth", &depth, 1, 10, format, kFlags)) set_depth(editor, depth);
+  const char* format = common ? "%.6g" : "several";
+  if (!ImGui::InputDouble(id, &value, step, 10 * step, format, kFlags)) return std::nullopt;
+  return value;
+}
+
+void draw_kind_choice(const SelectedHandles& selected, Editor& editor, const Look& look) {
+  static constexpr std::array kTitles{"Drag", "Pin", "Soft"};  // in the order of HandleKind
+  begin_field("Kind", look);
+  const char* title = selected.kind ? kTitles[static_cast<std::size_t>(*selected.kind)] : "several";
+  if (ImGui::BeginCombo("##kind", title)) {
+    for (std::size_t i = 0; i < kTitles.size(); ++i)
+      if (ImGui::Selectable(kTitles[i])) set_kind(editor, static_cast<HandleKind>(i));
+    ImGui::EndCombo();
+  }
+  tooltip(
+      "Drag and pin handles are met exactly and told apart by shape; K toggles. A soft one "
+      "gives way: its weight says how hard it pulls.",
+      look);
+}
+
+void draw_inspector(Editor& editor, const Look& look) {
+  const SelectedHandles selected = selected_handles(editor);
+  if (!selected.are_there) return;
+  draw_kind_choice(selected, editor, look);
+  if (selected.kind == HandleKind::soft) {
+    begin_field("Weight", look);
+    if (const auto weight = draw_number("##weight", selected.weight, 0.1))
+      set_weight(editor, *weight);
+    tooltip("How hard it pulls against the energy, 0.001 to 1000.", look);
+  }
+  begin_field("Depth", look);
+  if (const auto depth = draw_number("##depth", selected.depth, 1)) set_depth(editor, *depth);
   tooltip(
       "The larger is in front where the mesh lies over itself; between handles it changes "
       "evenly. [ sends back, ] brings forward.",
@@ -97,7 +130,7 @@ void draw_handles_panel(Editor& editor, const PanelContext& context) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
       draw_row(handles[static_cast<std::size_t>(i)], editor, context);
   ImGui::EndChild();
-  draw_depth(editor, context.look);
+  draw_inspector(editor, context.look);
 }
 
 }  // namespace foldless

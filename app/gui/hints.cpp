@@ -11,6 +11,7 @@ std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
     return "Space pauses all lanes · . goes on by one · wheel zooms, drag moves · Esc closes";
   if (editor.playback().scrubbed())
     return "Enter goes on from this iteration · Esc returns to the newest";
+  if (std::string words = editor.input().words(); !words.empty()) return words;
   if (editor.draft().is_editing()) return "Release to set the target · Esc takes the drag back";
   if (editor.input().band())
     return "Release to select · Shift adds · Ctrl takes away · Esc cancels";

@@ -20,14 +20,8 @@ class BandTool final : public Tool {
   std::unique_ptr<Tool> move(Editor& editor, const PointerMoved& event) override {
     to_ = event.position;
     if (!before_) before_ = editor.selection().ids();
-    std::set<int> selection = mode_ == BandMode::replace ? std::set<int>{} : *before_;
-    for (const int id : handles_in(editor.shown().get(), editor.canvas(), *band())) {
-      if (mode_ == BandMode::subtract)
-        selection.erase(id);
-      else
-        selection.insert(id);
-    }
-    editor.selection().select(std::move(selection));
+    const auto inside = handles_in(editor.shown().get(), editor.canvas(), *band());
+    editor.selection().select(changed(*before_, inside, mode_));
     return nullptr;
   }
 
@@ -48,6 +42,24 @@ class BandTool final : public Tool {
 };
 
 }  // namespace
+
+BandMode band_mode(const Modifiers& modifiers) {
+  return modifiers.shift     ? BandMode::add
+         : modifiers.control ? BandMode::subtract
+                             : BandMode::replace;
+}
+
+std::set<int> changed(const std::set<int>& selection, const std::vector<int>& inside,
+                      BandMode mode) {
+  std::set<int> result = mode == BandMode::replace ? std::set<int>{} : selection;
+  for (const int id : inside) {
+    if (mode == BandMode::subtract)
+      result.erase(id);
+    else
+      result.insert(id);
+  }
+  return result;
+}
 
 std::unique_ptr<Tool> make_band_tool(const Vec2& from, BandMode mode) {
   return std::make_unique<BandTool>(from, mode);

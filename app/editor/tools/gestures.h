@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,25 @@ std::unique_ptr<Tool> make_drag_tool(HandleDrag drag);
 /// How a rectangle changes the selection.
 enum class BandMode { replace, add, subtract };
 
+BandMode band_mode(const Modifiers& modifiers);
+
+/// A selection after handles were banded. All are ids.
+std::set<int> changed(const std::set<int>& selection, const std::vector<int>& inside,
+                      BandMode mode);
+
 /// Spans a rectangle from a pixel until the left button is released.
 std::unique_ptr<Tool> make_band_tool(const Vec2& from, BandMode mode);
+
+/// Draws a line round handles until the left button is released.
+std::unique_ptr<Tool> make_lasso_tool(const Vec2& from, BandMode mode);
+
+/// What a transformation of the selected handles does about the middle of their targets.
+enum class Transformation { turn, scale };
+
+/// Turns or scales with the pointer, without a button, until a click or Enter takes it or Esc or
+/// another button takes it back; a number may be typed instead. Precondition: begin_edit().
+std::unique_ptr<Tool> make_transform_tool(Transformation what, const Vec2& from,
+                                          std::vector<Target> starts);
 
 /// Moves the view until the button is released.
 std::unique_ptr<Tool> make_pan_tool(const Vec2& from, Button button);

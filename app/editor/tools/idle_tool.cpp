@@ -13,6 +13,8 @@ class IdleTool final : public Tool {
   std::unique_ptr<Tool> press(Editor& editor, const PointerPressed& event) override {
     if (event.button != Button::left || editor.input().is_space_held())
       return make_pan_tool(event.position, event.button);
+    if (editor.input().is_lasso_held())
+      return make_lasso_tool(event.position, band_mode(event.modifiers));
     const Snapshot* shown = editor.shown().get();
     if (const auto hit = pick_handle(shown, editor.canvas(), event.position)) {
       const bool is_selected = editor.selection().ids().contains(hit->id);

@@ -75,10 +75,7 @@ class PressTool final : public Tool {
     if (handle_ && find_handle(editor.document(), handle_->id)) return drag_handle(editor);
     const auto hit = mesh_under_press(editor);
     if (is_on_mesh_ && hit && !adds() && !subtracts()) return place_and_drag(editor, *hit);
-    const BandMode mode = adds()        ? BandMode::add
-                          : subtracts() ? BandMode::subtract
-                                        : BandMode::replace;
-    return make_band_tool(event_.position, mode);
+    return make_band_tool(event_.position, band_mode(event_.modifiers));
   }
 
   std::unique_ptr<Tool> drag_handle(Editor& editor) {

@@ -53,21 +53,21 @@ TEST_F(DraftTest, AnAbandonedEditLeavesNothing) {
 }
 
 TEST_F(DraftTest, EditsOfOneParameterWithinASecondAreOneStep) {
-  draft_.edit_parameters("Count", with_iterations(5));
+  draft_.edit_again("Count", with_iterations(5), Change::parameters);
   messages_.tick(0.9);
-  draft_.edit_parameters("Count", with_iterations(6));
+  draft_.edit_again("Count", with_iterations(6), Change::parameters);
   EXPECT_EQ(steps(), 2U);
   messages_.tick(2);
-  draft_.edit_parameters("Count", with_iterations(7));
+  draft_.edit_again("Count", with_iterations(7), Change::parameters);
   EXPECT_EQ(steps(), 3U);
-  draft_.edit_parameters("Another", with_iterations(8));
+  draft_.edit_again("Another", with_iterations(8), Change::parameters);
   EXPECT_EQ(steps(), 4U);
 }
 
 TEST_F(DraftTest, ASealedStepTakesNoMoreEdits) {
-  draft_.edit_parameters("Count", with_iterations(5));
+  draft_.edit_again("Count", with_iterations(5), Change::parameters);
   draft_.seal();
-  draft_.edit_parameters("Count", with_iterations(6));
+  draft_.edit_again("Count", with_iterations(6), Change::parameters);
   EXPECT_EQ(steps(), 3U);
 }
 

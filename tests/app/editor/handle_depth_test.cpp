@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/handle_depth.h"
+#include "app/editor/handle_edits.h"
 
 #include <limits>
 
@@ -60,13 +60,13 @@ TEST_F(HandleDepth, WithoutASelectionThereIsNothingToDo) {
   EXPECT_FALSE(editor_->run_command("handle.forward"));
   set_depth(*editor_, 3);
   EXPECT_EQ(editor_->draft().history().steps().size(), steps);
-  EXPECT_FALSE(selected_depth(*editor_).is_there);
+  EXPECT_FALSE(selected_handles(*editor_).are_there);
 }
 
 TEST_F(HandleDepth, IsGivenAsANumberWithinBounds) {
   editor_->selection().select({left_, right_});
   set_depth(*editor_, 2.5);
-  EXPECT_EQ(selected_depth(*editor_).common, 2.5);
+  EXPECT_EQ(selected_handles(*editor_).depth, 2.5);
   set_depth(*editor_, std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(depth(left_), 2.5);
   set_depth(*editor_, 1e9);
@@ -78,8 +78,8 @@ TEST_F(HandleDepth, IsGivenAsANumberWithinBounds) {
   editor_->selection().select({left_});
   set_depth(*editor_, -1);
   editor_->selection().select({left_, right_});
-  EXPECT_TRUE(selected_depth(*editor_).is_there);
-  EXPECT_FALSE(selected_depth(*editor_).common.has_value());
+  EXPECT_TRUE(selected_handles(*editor_).are_there);
+  EXPECT_FALSE(selected_handles(*editor_).depth.has_value());
 }
 
 TEST_F(HandleDepth, IsSavedAndOpenedAgain) {

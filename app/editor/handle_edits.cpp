@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editor/handle_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/editor/editor.h"
+
+namespace foldless {
+namespace {
+
+constexpr double kMostDepth = 1000;
+constexpr double kLeastWeight = 1e-3, kMostWeight = 1e3;
+
+/// What all agree in: nothing as soon as one differs.
+template <class Value>
+void agree(std::optional<Value>& common, const Value& value, bool is_first) {
+  if (is_first)
+    common = value;
+  else if (common != value)
+    common.reset();
+}
+
+void shift_depth(Editor& editor, const char* label, double by) {
+  editor.edits().change_selected(label, [by](Handle& handle) {
+    handle.depth = std::clamp(handle.depth + by, -kMostDepth, kMostDepth);
+  });
+}
+
+std::vector<Target> targets_of(const Editor& editor) {
+  std::vector<Target> targets;
+  for (const Handle& handle : editor.document().handles)
+    if (editor.selection().ids().contains(handle.id)) targets.push_back({handle.id, handle.target});
+  return targets;
+}
+
+double nudge_length(const Editor& editor) {
+  const Canvas& canvas = editor.canvas();
+  const Modifiers& modifiers = editor.input().modifiers();
+  const double steps = modifiers.shift ? 10 : modifiers.alt ? 0.1 : 1;
+  if (editor.document().texture_box) return steps;  // the unit of length is its pixel
+  return steps * canvas.ui_scale / canvas.camera.pixels_per_unit;
+}
+
+}  // namespace
+
+SelectedHandles selected_handles(const Editor& editor) {
+  SelectedHandles selected;
+  for (const Handle& handle : editor.document().handles) {
+    if (!editor.selection().ids().contains(handle.id)) continue;
+    const bool is_first = !std::exchange(selected.are_there, true);
+    agree(selected.kind, handle.kind, is_first);
+    agree(selected.weight, handle.weight, is_first);
+    agree(selected.depth, handle.depth, is_first);
+  }
+  return selected;
+}
+
+void set_kind(Editor& editor, HandleKind kind) {
+  editor.edits().change_selected_constraints("Kind of handle",
+                                             [kind](Handle& handle) { handle.kind = kind; });
+}
+
+void toggle_pin(Editor& editor) {
+  editor.edits().change_selected_constraints("Pin or drag", [](Handle& handle) {
+    handle.kind = handle.kind == HandleKind::pin ? HandleKind::drag : HandleKind::pin;
+  });
+}
+
+void set_weight(Editor& editor, double weight) {
+  if (!std::isfinite(weight)) return;
+  weight = std::clamp(weight, kLeastWeight, kMostWeight);
+  editor.edits().change_selected_constraints("Weight",
+                                             [weight](Handle& handle) { handle.weight = weight; });
+}
+
+void set_depth(Editor& editor, double depth) {
+  if (!std::isfinite(depth)) return;
+  depth = std::clamp(depth, -kMostDepth, kMostDepth);
+  editor.edits().change_selected("Depth", [depth](Handle& handle) { handle.depth = depth; });
+}
+
+void bring_forward(Editor& editor) { shift_depth(editor, "Bring forward", 1); }
+void send_back(Editor& editor) { shift_depth(editor, "Send back", -1); }
+
+void nudge(Editor& editor, const Vec2& direction) {
+  editor.draft().interrupt();
+  std::vector<Target> targets = targets_of(editor);
+  if (targets.empty()) return;
+  for (Target& target : targets) target.position += nudge_length(editor) * direction;
+  editor.draft().solving().clear_timeline();
+  editor.draft().edit_again("Nudge", with_targets(editor.document(), targets), Change::targets);
+}
+
+void begin_transformation(Editor& editor, Transformation what) {
+  editor.draft().interrupt();
+  if (editor.selection().ids().size() < 2) return;
+  editor.draft().begin_edit();
+  editor.draft().solving().clear_timeline();
+  editor.input().begin(make_transform_tool(what, editor.input().pointer(), targets_of(editor)));
+}
+
+}  // namespace foldless

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <utility>
+
+#include "app/editor/editor.h"
+#include "app/editor/tools/gestures.h"
+
+namespace foldless {
+namespace {
+
+constexpr double kTurnSnap = 15, kScaleSnap = 0.1;  // degrees, and a part
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// What a key adds to a number that is typed, or nothing.
+std::optional<char> typed(Key key) {
+  if (Key::digit_0 <= key && key <= Key::digit_9)
+    return static_cast<char>('0' + static_cast<int>(key) - static_cast<int>(Key::digit_0));
+  if (key == Key::period) return '.';
+  if (key == Key::minus) return '-';
+  return std::nullopt;
+}
+
+double snapped(double value, double unit) { return std::round(value / unit) * unit; }
+
+std::string short_words(const char* format, double value) {
+  std::array<char, 48> words{};
+  std::snprintf(words.data(), words.size(), format, value);
+  return words.data();
+}
+
+class TransformTool final : public Tool {
+ public:
+  TransformTool(Transformation what, const Vec2& from, std::vector<Target> starts)
+      : what_(what), last_(from), starts_(std::move(starts)) {
+    for (const Target& start : starts_) centre_ += start.position;
+    centre_ /= static_cast<double>(starts_.size());
+  }
+
+  bool is_editing() const override { return true; }
+
+  std::string words() const override {
+    const std::string what = what_ == Transformation::turn ? short_words("Turn by %.4g°", shown_)
+                                                           : short_words("Scale by %.4g", shown_);
+    return what + " · click or Enter takes it · Esc takes it back · Shift snaps, or type a number";
+  }
+
+  std::unique_ptr<Tool> move(Editor& editor, const PointerMoved& event) override {
+    const Vec2 centre = editor.canvas().to_pixel(centre_);
+    const Vec2 before = last_ - centre, now = event.position - centre;
+    last_ = event.position;
+    if (what_ == Transformation::turn)  // y is down in pixels
+      by_hand_ -= std::atan2(cross(before, now), before.dot(now)) / kDegree;
+    else if (before.norm() > 1 && now.norm() > 1)
+      by_hand_ *= now.norm() / before.norm();
+    is_snapped_ = event.modifiers.shift;
+    if (text_.empty()) apply(editor);
+    return nullptr;
+  }
+
+  std::unique_ptr<Tool> press(Editor& editor, const PointerPressed& event) override {
+    return event.button == Button::left ? take(editor) : take_back(editor);
+  }
+
+  bool key(Editor& editor, const KeyPressed& event, std::unique_ptr<Tool>& next) override {
+    next = nullptr;
+    if (event.key == Key::enter) {
+      next = take(editor);
+      return true;
+    }
+    if (event.key == Key::backspace && !text_.empty()) {
+      text_.pop_back();
+    } else if (const auto character = typed(event.key); character && !event.modifiers.control) {
+      text_ += *character;
+    } else {
+      return false;
+    }
+    apply(editor);
+    return true;
+  }
+
+  void cancel(Editor& editor) override { editor.draft().abandon_edit(); }
+
+ private:
+  double value() const {
+    if (!text_.empty()) return std::strtod(text_.c_str(), nullptr);
+    if (!is_snapped_) return by_hand_;
+    return snapped(by_hand_, what_ == Transformation::turn ? kTurnSnap : kScaleSnap);
+  }
+
+  Eigen::Matrix2d matrix() const {
+    if (what_ == Transformation::scale) return shown_ * Eigen::Matrix2d::Identity();
+    const double c = std::cos(shown_ * kDegree), s = std::sin(shown_ * kDegree);
+    return Eigen::Matrix2d{{c, -s}, {s, c}};
+  }
+
+  void apply(Editor& editor) {
+    shown_ = value();
+    const Eigen::Matrix2d linear = matrix();
+    std::vector<Target> targets = starts_;
+    for (Target& target : targets) target.position = centre_ + linear * (target.position - centre_);
+    editor.draft().apply(with_targets(editor.document(), targets), Change::targets);
+  }
+
+  std::unique_ptr<Tool> take(Editor& editor) {
+    editor.draft().commit(what_ == Transformation::turn ? "Turn handles" : "Scale handles");
+    return make_idle_tool();
+  }
+  static std::unique_ptr<Tool> take_back(Editor& editor) {
+    editor.draft().abandon_edit();
+    return make_idle_tool();
+  }
+
+  Transformation what_;
+  Vec2 last_;  ///< of the pointer, in pixels
+  std::vector<Target> starts_;
+  Vec2 centre_ = Vec2::Zero();
+  double by_hand_ = what_ == Transformation::turn ? 0 : 1;  ///< degrees, or a factor
+  bool is_snapped_ = false;
+  std::string text_;  ///< that was typed
+  double shown_ = by_hand_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_transform_tool(Transformation what, const Vec2& from,
+                                          std::vector<Target> starts) {
+  return std::make_unique<TransformTool>(what, from, std::move(starts));
+}
+
+}  // namespace foldless
