@@ -99,6 +99,7 @@ class RealWindow : public testing::Test {
     write_scene();
   }
   void TearDown() override {
+    program_.reset();
     if (!folder_.empty()) std::filesystem::remove_all(folder_);
   }
 
@@ -244,7 +245,7 @@ TEST_F(RealWindow, ASignalEndsItAndUnsavedWorkIsKept) {
   ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }, 20s));
   const std::vector<std::string_view> methods{"foldless", "paper-flip"};
   EXPECT_EQ(load_scene(scene_, methods).scene.handles.size(), 3U);
-  EXPECT_TRUE(copy().empty());
+  EXPECT_TRUE(wait_for([this] { return copy().empty(); }, 20s));
 }
 
 TEST_F(RealWindow, WhenTheDisplayGoesUnsavedWorkIsKept) {
