@@ -17,6 +17,10 @@ add_test(NAME PaperTable.ComplainsAboutEachBrokenRow
                  -DTREE=${CMAKE_CURRENT_BINARY_DIR}/paper_table_tree
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/paper_table_self_test.cmake)
 
+add_test(NAME GesturesTable.NamesTestsThatAreThere
+         COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                 -P ${CMAKE_CURRENT_SOURCE_DIR}/gestures_table_test.cmake)
+
 add_test(NAME Rooms.AreNeitherCrowdedNorCircular
          COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/rooms_test.cmake)

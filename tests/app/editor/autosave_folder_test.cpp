@@ -44,7 +44,7 @@ TEST_F(AutosaveFolderTest, TheNewestFiveCopiesStay) {
   EXPECT_EQ(copies.back().filename(), "000008.json");
 }
 
-TEST_F(AutosaveFolderTest, RememberssWhatTheCopiesAreOf) {
+TEST_F(AutosaveFolderTest, RemembersWhatTheCopiesAreOf) {
   AutosaveFolder folder = AutosaveFolder::create(root());
   EXPECT_EQ(folder.origin(), Origin{});
   const Origin origin{"/home/a b/scene.json", "„Bär“"};
