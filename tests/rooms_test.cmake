@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fails where a file has more than 300 lines, or where units of core include each other in a circle. A unit is a header with the source of its name.
+# Fails where a file has more than 300 lines, or where units of core include each other in a circle.
+# A unit is a header with the source of its name.
 #   cmake -DSOURCE_DIR=... -P rooms_test.cmake
 cmake_minimum_required(VERSION 3.25) # for IN_LIST
 
