@@ -100,9 +100,9 @@ std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const P
   return handles_where(shown, canvas, [&](const Vec2& pixel) { return box.contains(pixel); });
 }
 
-std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas,
-                            const std::vector<Vec2>& lasso) {
-  return handles_where(shown, canvas, [&](const Vec2& pixel) { return surrounds(lasso, pixel); });
+std::vector<int> handles_in_lasso(const Snapshot* shown, const Canvas& canvas,
+                                  const std::vector<Vec2>& line) {
+  return handles_where(shown, canvas, [&](const Vec2& pixel) { return surrounds(line, pixel); });
 }
 
 std::optional<int> triangle_at(const Snapshot& shown, const Vec2& world, PaintOrder& order) {

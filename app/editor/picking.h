@@ -25,8 +25,8 @@ std::optional<HandleHit> pick_handle(const Snapshot* shown, const Canvas& canvas
 /// Handles whose dot is inside a rectangle, by id.
 std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas, const PixelBox& box);
 /// Handles whose dot is inside a closed line of pixels, by the even-odd rule, by id.
-std::vector<int> handles_in(const Snapshot* shown, const Canvas& canvas,
-                            const std::vector<Vec2>& lasso);
+std::vector<int> handles_in_lasso(const Snapshot* shown, const Canvas& canvas,
+                                  const std::vector<Vec2>& line);
 
 /// The triangle of the deformed mesh that holds a world point, or nothing; where sheets lie over
 /// each other the one in front.

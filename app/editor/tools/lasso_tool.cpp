@@ -22,7 +22,7 @@ class LassoTool final : public Tool {
     if ((event.position - line_.back()).norm() < 1) return nullptr;
     line_.push_back(event.position);
     if (!before_) before_ = editor.selection().ids();
-    const auto inside = handles_in(editor.shown().get(), editor.canvas(), line_);
+    const auto inside = handles_in_lasso(editor.shown().get(), editor.canvas(), line_);
     editor.selection().select(changed(*before_, inside, mode_));
     return nullptr;
   }
