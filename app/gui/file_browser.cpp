@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/gui/dialog_keys.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
@@ -93,12 +94,15 @@ void FileBrowser::move_selection(int by) {
 }
 
 void FileBrowser::handle_keys() {
-  if (is_pressed(ImGuiKey_DownArrow)) move_selection(1);
-  if (is_pressed(ImGuiKey_UpArrow)) move_selection(-1);
-  if (is_pressed(ImGuiKey_PageDown)) move_selection(10);
-  if (is_pressed(ImGuiKey_PageUp)) move_selection(-10);
-  if (text_.empty() && is_pressed(ImGuiKey_Backspace)) enter(listing_.folder.parent_path());
-  if (!is_pressed(ImGuiKey_Escape)) return;
+  if (const auto row = walk_list(selected_, shown_.size(), !text_.empty()))
+    move_selection(static_cast<int>(*row) - static_cast<int>(selected_));
+  if (text_.empty() && takes_key(Key::backspace)) enter(listing_.folder.parent_path());
+  const DialogKeys keys = dialog_keys(TextKeys::dialog);
+  if (keys.takes && replacing_.empty()) {
+    accept();
+    wants_focus_ = is_open_;
+  }
+  if (!keys.leaves) return;
   if (!replacing_.empty()) {
     replacing_.clear();
     return;
@@ -213,9 +217,8 @@ void FileBrowser::draw_footer(const Look& look) {
   const float buttons = look.px(150);
   ImGui::SetNextItemWidth(-buttons);
   if (std::exchange(wants_focus_, false)) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputTextWithHint(
-      "##text", saves() ? "Name of the file" : "Type to filter, or a path", &text_,
-      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::InputTextWithHint("##text", saves() ? "Name of the file" : "Type to filter, or a path",
+                           &text_, ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemEdited()) {
     message_.clear();
     refilter();
@@ -229,7 +232,7 @@ void FileBrowser::draw_footer(const Look& look) {
   } else {
     dim_text("Arrows choose, Enter takes, Backspace goes up, Esc leaves.", look);
   }
-  if (entered || clicked) {
+  if (clicked) {
     accept();
     wants_focus_ = is_open_;
   }

@@ -53,6 +53,8 @@ void InputFeed::map_keys(ImGuiIO& io) {
                                                         {ImGuiKey_DownArrow, Key::down},
                                                         {ImGuiKey_Home, Key::home},
                                                         {ImGuiKey_End, Key::end},
+                                                        {ImGuiKey_PageUp, Key::page_up},
+                                                        {ImGuiKey_PageDown, Key::page_down},
                                                         {ImGuiKey_Delete, Key::del},
                                                         {ImGuiKey_Backspace, Key::backspace},
                                                         {ImGuiKey_Space, Key::space},
@@ -111,7 +113,8 @@ void InputFeed::apply(const InputEvent& event, ImGuiIO& io) {
           io.MouseDown[static_cast<int>(e.button)] = false;
         if constexpr (std::is_same_v<E, WheelTurned>)
           io.MouseWheel += static_cast<float>(e.notches);
-        if constexpr (std::is_same_v<E, KeyPressed>) io.KeysDown[static_cast<int>(e.key)] = true;
+        if constexpr (std::is_same_v<E, KeyPressed>)
+          if (!e.is_repeat) io.KeysDown[static_cast<int>(e.key)] = true;
         if constexpr (std::is_same_v<E, KeyReleased>) io.KeysDown[static_cast<int>(e.key)] = false;
         if constexpr (std::is_same_v<E, FocusLost>) release_everything(io);
       },

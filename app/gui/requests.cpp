@@ -174,7 +174,7 @@ bool handle_requests(Editor& editor, UiState& state, const std::filesystem::path
       case Request::export_svg: export_svg(editor, state); break;
       case Request::export_table: export_table(editor, state); break;
       case Request::command_search: state.search.open(); break;
-      case Request::cheat_sheet: state.shows_cheat_sheet = !state.shows_cheat_sheet; break;
+      case Request::cheat_sheet: state.opens_cheat_sheet = true; break;
       case Request::quit: state.wants_to_quit = true; break;
     }
   }

@@ -11,6 +11,7 @@
 #include "app/gui/canvas_input.h"
 #include "app/gui/canvas_overlay.h"
 #include "app/gui/canvas_picture.h"
+#include "app/gui/dialog_keys.h"
 #include "app/gui/input_feed.h"
 #include "app/gui/panels.h"
 #include "app/gui/preview.h"
@@ -165,6 +166,7 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   ImGui::NewFrame();
   resize(editor);
   route(editor, events, spec.time);
+  begin_dialog_keys();
   editor.view().options().theme = p.state.settings.theme;
   editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);

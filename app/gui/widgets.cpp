@@ -202,6 +202,4 @@ void slider_line(double position, const Look& look) {
       packed(look.palette->accent, ImGui::GetStyle().Alpha), look.px(1));
 }
 
-bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
-
 }  // namespace foldless

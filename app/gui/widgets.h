@@ -54,7 +54,4 @@ void title_text(const char* words, const Look& look);
 /// number readable.
 void slider_line(double position, const Look& look);
 
-/// True in the frame in which the key went down or repeats.
-bool is_pressed(ImGuiKey key);
-
 }  // namespace foldless
