@@ -106,6 +106,7 @@ void ExportDialog::ask_for_file(Editor& editor, UiState& state) {
     state.last_folder = path.parent_path();
     job_.path = path;
     last_ = ordered_ = job_;
+    ordered_->is_chosen_now = true;
   };
   state.browser.ask(std::move(request));
 }

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <cfloat>
+#include <optional>
 #include <utility>
 
 namespace foldless {
@@ -19,6 +20,12 @@ Key key_changed_by(const UiEvent& event) {
   if (const auto* pressed = input_as<KeyPressed>(event)) return pressed->key;
   if (const auto* released = input_as<KeyReleased>(event)) return released->key;
   return Key::none;
+}
+
+std::optional<Modifiers> modifiers_after(const UiEvent& event) {
+  if (const auto* held = std::get_if<ModifiersHeld>(&event)) return held->modifiers;
+  if (const auto* pressed = input_as<KeyPressed>(event)) return pressed->modifiers;
+  return std::nullopt;
 }
 
 /// Multiplies the position of a pointer event.
@@ -75,6 +82,8 @@ bool InputFeed::fits(const UiEvent& event, Frame& frame) const {
     if (frame.has_button_change) return false;
     frame.has_button_change = is_button;
   }
+  const auto modifiers = modifiers_after(event);
+  if (modifiers && *modifiers != modifiers_ && !frame.changed_keys.empty()) return false;
   const Key key = key_changed_by(event);
   return key == Key::none || frame.changed_keys.insert(key).second;
 }

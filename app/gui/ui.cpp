@@ -131,6 +131,7 @@ void Ui::Parts::carry_out(const ExportJob& job, Editor& editor) {
     }
     editor.messages().toast(ToastKind::notice, "Wrote " + job.path.string());
   } catch (const Error& error) {
+    if (job.is_chosen_now) return state.browser.ask_again(error.what());
     editor.messages().toast(ToastKind::error, error.what());
   }
 }
