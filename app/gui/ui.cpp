@@ -18,6 +18,7 @@
 #include "app/gui/race_layout.h"
 #include "app/gui/requests.h"
 #include "app/gui/scenes.h"
+#include "app/gui/tooltips.h"
 #include "app/gui/ui_state.h"
 #include "core/error.h"
 #include "render/ui_renderer.h"
@@ -67,6 +68,7 @@ struct Ui::Parts {
   UiState state;
   Settings saved_settings;
   Look look;
+  Tooltips tooltips;
   Layout layout;
   std::string clipboard;  ///< keeps the text alive that ImGui was given
   double time = 0;
@@ -144,6 +146,7 @@ Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
   InputFeed::map_keys(io);
   parts_->connect_clipboard();
+  parts_->look.tooltips = &parts_->tooltips;
   if (!parts_->options.state_folder.empty())
     parts_->state.settings = load_settings(parts_->settings_file());
   parts_->saved_settings = parts_->state.settings;
@@ -165,6 +168,7 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   const auto events = p.feed.take_frame(ImGui::GetIO(), pixels);
   p.state.modifiers = p.feed.modifiers();
   ImGui::NewFrame();
+  p.tooltips.begin_frame(spec.time);
   resize(editor);
   route(editor, events, spec.time);
   begin_dialog_keys();
@@ -183,6 +187,7 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   ImGui::Render();
   p.ui_renderer.draw(*ImGui::GetDrawData());
   p.follow_settings();
+  if (p.tooltips.has_appeared()) p.settling = kSettlingFrames;
   p.settling = std::max(0, p.settling - 1);
 }
 
@@ -246,6 +251,10 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
   if (parts_->settling > 0 || !parts_->feed.is_empty()) return 0.0;
   std::optional<double> next;
   if (const auto wake = editor.next_wake()) next = std::max(0.0, *wake - now);
+  if (const auto due = parts_->tooltips.due()) {
+    const double wait = std::max(0.0, *due - now);
+    next = std::min(next.value_or(wait), wait);
+  }
   if (ImGui::GetIO().WantTextInput) next = std::min(next.value_or(1), kTextCursorSeconds);
   return next;
 }

@@ -33,7 +33,7 @@ bool section(const char* title, const Look& look);
 /// One line of secondary text, cut at the end when it does not fit.
 void dim_text(const std::string& text, const Look& look);
 
-/// Shows wrapped text when the mouse rests on the last item.
+/// Shows wrapped text beside the panel when the mouse has rested on the last item.
 void tooltip(const std::string& text, const Look& look);
 
 /// A key cap, `Ctrl+Z`, at the cursor.
