@@ -178,17 +178,24 @@ void DocumentFiles::save() {
 }
 
 bool DocumentFiles::save_as(const std::filesystem::path& path) {
-  draft_.interrupt();
   if (draft_.document().is_empty()) return false;
+  const std::string problem = try_save_as(path);
+  if (problem.empty()) return true;
+  pending_.reset();
+  messages_.toast(ToastKind::error, problem);
+  return false;
+}
+
+std::string DocumentFiles::try_save_as(const std::filesystem::path& path) {
+  draft_.interrupt();
+  if (draft_.document().is_empty()) return "There is nothing to save.";
   std::filesystem::path file = full_path(path);
   if (file.extension().empty()) file += ".json";
   try {
     auto view = std::make_shared<const nlohmann::json>(view_.json());
     save_scene(scene_of(draft_.document(), file, std::move(view)), file);
   } catch (const std::exception& failure) {
-    pending_.reset();
-    messages_.toast(ToastKind::error, failure.what());
-    return false;
+    return failure.what();
   }
   path_ = file;
   mark_saved();
@@ -198,7 +205,7 @@ bool DocumentFiles::save_as(const std::filesystem::path& path) {
       "Saved " + file.filename().string() +
           (draft_.is_ahead_of_document() ? " with the last valid map, not the folded one" : ""));
   if (pending_ && !is_asking_) perform_pending();
-  return true;
+  return {};
 }
 
 std::string DocumentFiles::title() const {

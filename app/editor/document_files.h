@@ -63,6 +63,9 @@ class DocumentFiles {
   void save();
   /// Writes a scene file; `.json` is added where the name has no extension. False when that fails.
   bool save_as(const std::filesystem::path& path);
+  /// As save_as(), but returns why it failed, empty when it did not, and shows no toast of that.
+  /// What waits for the file to be saved goes on waiting, so that another path can be tried.
+  std::string try_save_as(const std::filesystem::path& path);
   /// Of the scene file; empty: never saved.
   const std::filesystem::path& path() const { return path_; }
   bool is_dirty() const;

@@ -30,6 +30,8 @@ class RaceLane {
   void show(std::size_t tick);
 
   const std::string& title() const { return entry_.title; }
+  /// The part of the title that other lanes do not have.
+  const std::string& short_title() const { return entry_.short_title; }
   const Parameters& parameters() const { return entry_.parameters; }
   /// Every iteration so far.
   const std::vector<Iteration>& records() const { return records_; }

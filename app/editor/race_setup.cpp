@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "app/editor/edits.h"
@@ -19,15 +21,29 @@ double stepped(const ParameterRow& row, double value, int steps) {
   return std::clamp(value, row.minimum, row.maximum);
 }
 
+std::string value_of(const ParameterRow& row, double value) {
+  if (row.scale == ParameterScale::on_off) return value != 0 ? "on" : "off";
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.6g", value);
+  return number.data();
+}
+
 std::string title_of(const ParameterRow& row, double value) {
   const std::string title(row.title);
-  if (row.scale == ParameterScale::on_off) return title + (value != 0 ? ": on" : ": off");
-  std::array<char, 32> number{};
-  std::snprintf(number.data(), number.size(), " = %.6g", value);
+  if (row.scale == ParameterScale::on_off) return title + ": " + value_of(row, value);
   // The letter of the paper is enough: "η = 0.001".
   const auto space = title.rfind(' ');
   const bool has_letter = space != std::string::npos && title.size() - space <= 3;
-  return (has_letter ? title.substr(space + 1) : title) + number.data();
+  return (has_letter ? title.substr(space + 1) : title) + " = " + value_of(row, value);
+}
+
+/// "Flips" of "Remeshing-assisted, flips": what stands before the comma is common to variants.
+std::string variant_of(std::string_view title) {
+  const auto comma = title.find(", ");
+  if (comma == std::string_view::npos) return std::string(title);
+  std::string words(title.substr(comma + 2));
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
 }
 
 /// The first method that no lane has yet, or the first of all.
@@ -81,7 +97,8 @@ std::vector<RaceEntry> entries_of(const RaceSetup& setup, const Document& docume
   std::vector<RaceEntry> entries;
   if (setup.varied) {
     for (const double value : setup.values) {
-      RaceEntry entry{title_of(*setup.varied, value), document.parameters};
+      RaceEntry entry{title_of(*setup.varied, value), value_of(*setup.varied, value),
+                      document.parameters};
       setup.varied->set(entry.parameters, value);
       entries.push_back(std::move(entry));
     }
@@ -89,7 +106,8 @@ std::vector<RaceEntry> entries_of(const RaceSetup& setup, const Document& docume
   }
   for (const std::string& name : setup.methods) {
     const MethodRow* method = find_method(name);
-    RaceEntry entry{method ? std::string(method->title) : name, document.parameters};
+    const std::string title = method ? std::string(method->title) : name;
+    RaceEntry entry{title, variant_of(title), document.parameters};
     entry.parameters.method = name;
     entries.push_back(std::move(entry));
   }

@@ -37,6 +37,7 @@ RaceSetup without_lane(RaceSetup setup);
 /// One lane as it is run.
 struct RaceEntry {
   std::string title;
+  std::string short_title;  ///< what tells it from other lanes, for where there is little room
   Parameters parameters;
 };
 std::vector<RaceEntry> entries_of(const RaceSetup& setup, const Document& document);

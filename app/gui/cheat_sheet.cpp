@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "app/editor/commands.h"
+#include "app/gui/dialog_keys.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
@@ -56,24 +58,15 @@ void draw_menu(const char* menu, const Look& look) {
 }  // namespace
 
 void draw_cheat_sheet(Editor&, const PanelContext& context) {
-  UiState& state = context.state;
   const Look& look = context.look;
   const char* id = "##cheat sheet";
-  if (state.shows_cheat_sheet && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+  if (std::exchange(context.state.opens_cheat_sheet, false)) ImGui::OpenPopup(id);
   centre_next_window({1000, 540}, look);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(18), look.px(16)});
   const bool is_open = ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleVar();
-  if (!is_open) {
-    state.shows_cheat_sheet = false;
-    return;
-  }
-  const int f1 = static_cast<int>(Key::f1);
-  if (is_pressed(ImGuiKey_Escape) ||
-      (ImGui::IsKeyPressed(f1, false) && !ImGui::IsWindowAppearing())) {
-    state.shows_cheat_sheet = false;
-    ImGui::CloseCurrentPopup();
-  }
+  if (!is_open) return;
+  if (takes_key(Key::f1)) ImGui::CloseCurrentPopup();
   title_text("Keys and mouse", look);
   const int columns = ImGui::GetContentRegionAvail().x > look.px(840) ? 3 : 2;
   if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {

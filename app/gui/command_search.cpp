@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/commands.h"
+#include "app/gui/dialog_keys.h"
 #include "app/gui/directory.h"
 #include "app/gui/widgets.h"
 
@@ -59,24 +60,21 @@ void CommandSearch::draw(Editor& editor, const Look& look) {
   opens_now_ = false;
   ImGui::SetNextItemWidth(-1);
   if (ImGui::InputTextWithHint("##search", "What would you like to do?", &text_)) selected_ = 0;
+  const bool is_taken = dialog_keys(TextKeys::dialog).takes;
   ImGui::BeginChild("rows");
-  draw_rows(editor, look);
+  draw_rows(editor, is_taken, look);
   ImGui::EndChild();
-  if (is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 
-void CommandSearch::draw_rows(Editor& editor, const Look& look) {
+void CommandSearch::draw_rows(Editor& editor, bool is_taken, const Look& look) {
   const auto found = matches(text_);
   if (found.empty()) return dim_text("No command has these letters.", look);
-  const int last = static_cast<int>(found.size()) - 1;
-  if (is_pressed(ImGuiKey_DownArrow)) selected_ = std::min(selected_ + 1, last);
-  if (is_pressed(ImGuiKey_UpArrow)) selected_ = std::max(selected_ - 1, 0);
-  selected_ = std::min(selected_, last);
-  const Command* chosen =
-      is_pressed(ImGuiKey_Enter) ? found[static_cast<std::size_t>(selected_)] : nullptr;
-  for (int row = 0; row <= last; ++row) {
-    const Command& command = *found[static_cast<std::size_t>(row)];
+  const auto walked = walk_list(selected_, found.size(), !text_.empty());
+  selected_ = std::min(walked.value_or(selected_), found.size() - 1);
+  const Command* chosen = is_taken ? found[selected_] : nullptr;
+  for (std::size_t row = 0; row < found.size(); ++row) {
+    const Command& command = *found[row];
     ImGui::BeginDisabled(!is_available(command, editor));
     if (ImGui::Selectable(words_of(command).c_str(), row == selected_,
                           ImGuiSelectableFlags_DontClosePopups))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "app/editor/editor.h"
@@ -15,10 +16,10 @@ class CommandSearch {
   void draw(Editor& editor, const Look& look);
 
  private:
-  void draw_rows(Editor& editor, const Look& look);
+  void draw_rows(Editor& editor, bool is_taken, const Look& look);
 
   std::string text_;
-  int selected_ = 0;
+  std::size_t selected_ = 0;
   bool opens_now_ = false;
 };
 

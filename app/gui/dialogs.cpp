@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "app/gui/dialog_keys.h"
 #include "app/gui/image_dialog.h"
 #include "app/gui/panels.h"
 #include "app/gui/preview.h"
@@ -20,11 +21,12 @@ void draw_unsaved_question(Editor& editor, const PanelContext& context) {
                                                          : editor.files().path().string();
   dim_text(name, look);
   ImGui::Spacing();
-  if (main_button("Save", look) || is_pressed(ImGuiKey_Enter)) editor.files().answer(Answer::save);
+  const DialogKeys keys = dialog_keys();
+  if (main_button("Save", look) || keys.takes) editor.files().answer(Answer::save);
   ImGui::SameLine();
   if (ImGui::Button("Discard the changes")) editor.files().answer(Answer::discard);
   ImGui::SameLine();
-  if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) editor.files().answer(Answer::cancel);
+  if (ImGui::Button("Cancel") || keys.leaves) editor.files().answer(Answer::cancel);
   end_dialog();
 }
 
@@ -46,7 +48,8 @@ void draw_about(const PanelContext& context) {
   dim_text("Free software under the GNU General Public License, version 3 or later.", look);
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
-  if (main_button("Close", look) || is_pressed(ImGuiKey_Escape) || is_pressed(ImGuiKey_Enter)) {
+  const DialogKeys keys = dialog_keys();
+  if (main_button("Close", look) || keys.takes || keys.leaves) {
     context.state.shows_about = false;
     ImGui::CloseCurrentPopup();
   }

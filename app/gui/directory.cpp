@@ -63,6 +63,16 @@ std::filesystem::path typed_path(std::string_view text, const std::filesystem::p
   return (folder / text).lexically_normal();
 }
 
+std::string make_folder(const std::filesystem::path& parent, const std::string& name) {
+  if (name.empty()) return "A folder needs a name.";
+  if (name == "." || name == ".." || name.find('/') != std::string::npos)
+    return "A folder cannot be called “" + name + "”.";
+  std::error_code error;
+  if (std::filesystem::create_directory(parent / name, error)) return {};
+  if (!error || error == std::errc::file_exists) return "“" + name + "” is there already.";
+  return "“" + name + "” cannot be made here: " + error.message() + ".";
+}
+
 std::string words_for_bytes(std::uintmax_t bytes) {
   static constexpr std::array kUnits{"B", "kB", "MB", "GB", "TB"};
   auto value = static_cast<double>(bytes);

@@ -38,6 +38,10 @@ bool matches_filter(std::string_view name, std::string_view filter);
 /// The path that a user typed: `~` is the home folder, a relative path starts at `folder`.
 std::filesystem::path typed_path(std::string_view text, const std::filesystem::path& folder);
 
+/// Makes a folder. Returns why that failed, in one sentence that has the name; empty when it is
+/// made.
+std::string make_folder(const std::filesystem::path& parent, const std::string& name);
+
 /// `4.2 kB`, `17 MB`.
 std::string words_for_bytes(std::uintmax_t bytes);
 

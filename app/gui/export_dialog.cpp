@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/gui/dialog_keys.h"
 #include "app/gui/requests.h"
 #include "app/gui/ui_state.h"
 #include "app/gui/widgets.h"
@@ -49,12 +50,13 @@ void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
   ImGui::BeginChild("options", {0, -ImGui::GetFrameHeightWithSpacing()});
   draw_options(editor, look);
   ImGui::EndChild();
-  if (main_button("Choose a file…", look) || is_pressed(ImGuiKey_Enter)) {
+  const DialogKeys keys = dialog_keys();
+  if (main_button("Choose a file…", look) || keys.takes) {
     ImGui::CloseCurrentPopup();
     ask_for_file(editor, state);
   }
   ImGui::SameLine();
-  if (ImGui::Button("Cancel") || is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+  if (ImGui::Button("Cancel") || keys.leaves) ImGui::CloseCurrentPopup();
   end_dialog();
 }
 
@@ -104,6 +106,7 @@ void ExportDialog::ask_for_file(Editor& editor, UiState& state) {
     state.last_folder = path.parent_path();
     job_.path = path;
     last_ = ordered_ = job_;
+    ordered_->is_chosen_now = true;
   };
   state.browser.ask(std::move(request));
 }

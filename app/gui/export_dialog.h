@@ -17,6 +17,7 @@ struct UiState;
 struct ExportJob {
   std::filesystem::path path;  ///< its extension says which format
   PictureOptions picture;      ///< for `.png`
+  bool is_chosen_now = false;  ///< in the file browser, which asks again when writing fails
 
   bool is_picture() const { return path.extension() == ".png"; }
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/gui/dialog_keys.h"
 #include "app/gui/side_dialog.h"
 #include "app/gui/widgets.h"
 #include "core/files/mesh_source.h"
@@ -119,8 +120,9 @@ void draw_buttons(Editor& editor, const Look& look) {
   ImGui::EndDisabled();
   ImGui::SameLine();
   const bool leaves = ImGui::Button("Cancel");
-  if (takes || (!has_problem && is_struck(ImGuiKey_Enter))) return editor.files().take_image();
-  if (leaves || is_struck(ImGuiKey_Escape)) editor.files().close_import();
+  const DialogKeys keys = dialog_keys();
+  if (takes || (!has_problem && keys.takes)) return editor.files().take_image();
+  if (leaves || keys.leaves) editor.files().close_import();
 }
 
 }  // namespace

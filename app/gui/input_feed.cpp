@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <cfloat>
+#include <optional>
 #include <utility>
 
 namespace foldless {
@@ -19,6 +20,12 @@ Key key_changed_by(const UiEvent& event) {
   if (const auto* pressed = input_as<KeyPressed>(event)) return pressed->key;
   if (const auto* released = input_as<KeyReleased>(event)) return released->key;
   return Key::none;
+}
+
+std::optional<Modifiers> modifiers_after(const UiEvent& event) {
+  if (const auto* held = std::get_if<ModifiersHeld>(&event)) return held->modifiers;
+  if (const auto* pressed = input_as<KeyPressed>(event)) return pressed->modifiers;
+  return std::nullopt;
 }
 
 /// Multiplies the position of a pointer event.
@@ -53,6 +60,8 @@ void InputFeed::map_keys(ImGuiIO& io) {
                                                         {ImGuiKey_DownArrow, Key::down},
                                                         {ImGuiKey_Home, Key::home},
                                                         {ImGuiKey_End, Key::end},
+                                                        {ImGuiKey_PageUp, Key::page_up},
+                                                        {ImGuiKey_PageDown, Key::page_down},
                                                         {ImGuiKey_Delete, Key::del},
                                                         {ImGuiKey_Backspace, Key::backspace},
                                                         {ImGuiKey_Space, Key::space},
@@ -73,6 +82,8 @@ bool InputFeed::fits(const UiEvent& event, Frame& frame) const {
     if (frame.has_button_change) return false;
     frame.has_button_change = is_button;
   }
+  const auto modifiers = modifiers_after(event);
+  if (modifiers && *modifiers != modifiers_ && !frame.changed_keys.empty()) return false;
   const Key key = key_changed_by(event);
   return key == Key::none || frame.changed_keys.insert(key).second;
 }
@@ -111,7 +122,8 @@ void InputFeed::apply(const InputEvent& event, ImGuiIO& io) {
           io.MouseDown[static_cast<int>(e.button)] = false;
         if constexpr (std::is_same_v<E, WheelTurned>)
           io.MouseWheel += static_cast<float>(e.notches);
-        if constexpr (std::is_same_v<E, KeyPressed>) io.KeysDown[static_cast<int>(e.key)] = true;
+        if constexpr (std::is_same_v<E, KeyPressed>)
+          if (!e.is_repeat) io.KeysDown[static_cast<int>(e.key)] = true;
         if constexpr (std::is_same_v<E, KeyReleased>) io.KeysDown[static_cast<int>(e.key)] = false;
         if constexpr (std::is_same_v<E, FocusLost>) release_everything(io);
       },

@@ -12,8 +12,8 @@ struct ImGuiIO;
 namespace foldless {
 
 /// A queue of events on their way into ImGui, which sees only the state of the keyboard and the
-/// mouse at each frame: a press and its release must come to different frames, and the pointer may
-/// not move on in the frame in which a button changed.
+/// mouse at each frame: a press and its release must come to different frames, the pointer may not
+/// move on in the frame in which a button changed, and Ctrl may not go in the frame of Ctrl+N.
 class InputFeed {
  public:
   /// Tells ImGui which numbers our keys have; once a context.

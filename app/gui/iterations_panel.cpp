@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <string>
 
 #include "app/editor/convergence.h"
 #include "app/gui/panels.h"
+#include "app/gui/short_text.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
@@ -24,23 +26,31 @@ void draw_row(std::size_t index, Editor& editor, const PanelContext& context) {
   ImGui::SameLine(0, 0);
   ImGui::Text("%zu", index + 1);
   ImGui::TableNextColumn();
-  ImGui::TextColored(look.palette->dim, "%s", name_of(record.phase).data());
+  const std::string phase =
+      elided(std::string(name_of(record.phase)), ImGui::GetContentRegionAvail().x);
+  ImGui::TextColored(look.palette->dim, "%s", phase.c_str());
   ImGui::TableNextColumn();
-  ImGui::Text("%.3g", record.energy);
+  ImGui::TextUnformatted(short_number(record.energy, 3).c_str());
   ImGui::TableNextColumn();
-  ImGui::Text("%.2g", record.handle_error_squared);
+  ImGui::TextUnformatted(short_number(record.handle_error_squared, 2).c_str());
   ImGui::TableNextColumn();
   if (const int changed = remeshed_edges(editor.playback().iterations(), index); changed != 0)
     ImGui::TextColored(look.palette->accent, "%d", changed);
 }
 
-void draw_header(const Look& look) {
+/// A column that is as wide as the longest of its numbers.
+void number_column(const char* title, const char* longest) {
+  const float width = std::max(ImGui::CalcTextSize(longest).x, ImGui::CalcTextSize(title).x);
+  ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthFixed, width);
+}
+
+void draw_header() {
   ImGui::TableSetupScrollFreeze(0, 1);
-  ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, look.px(30));
-  ImGui::TableSetupColumn("Phase", ImGuiTableColumnFlags_WidthFixed, look.px(60));
-  ImGui::TableSetupColumn("E", ImGuiTableColumnFlags_WidthStretch, 1.2F);
-  ImGui::TableSetupColumn("‖P‖²", ImGuiTableColumnFlags_WidthStretch, 1.2F);
-  ImGui::TableSetupColumn("Edges", ImGuiTableColumnFlags_WidthFixed, look.px(38));
+  number_column("#", "8888");
+  ImGui::TableSetupColumn("Phase", ImGuiTableColumnFlags_WidthStretch);
+  number_column("E", "8.88e-8");
+  number_column("‖P‖²", "8.8e-88");
+  number_column("Edges", "8888");
   ImGui::TableHeadersRow();
 }
 
@@ -54,7 +64,7 @@ void draw_iterations_panel(Editor& editor, const PanelContext& context) {
   ImGui::PushFont(look.fonts.small);
   if (ImGui::BeginTable("iterations", 5, ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH,
                         {0, height})) {
-    draw_header(look);
+    draw_header();
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(count));
     while (clipper.Step())

@@ -6,11 +6,14 @@
 
 namespace foldless {
 
+class Tooltips;
+
 /// What every panel needs to draw itself.
 struct Look {
   const Palette* palette = nullptr;
   Fonts fonts;
-  float scale = 1;  ///< framebuffer pixels in one design pixel
+  float scale = 1;               ///< framebuffer pixels in one design pixel
+  Tooltips* tooltips = nullptr;  ///< null: there are none
 
   /// A length in design pixels, in framebuffer pixels.
   float px(float design_pixels) const { return design_pixels * scale; }

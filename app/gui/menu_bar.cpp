@@ -117,7 +117,6 @@ void draw_menu_bar(Editor& editor, const PanelContext& context) {
     for (const Command& command : commands())
       if (command.menu == menu) draw_command(command, editor);
     draw_extras(menu, editor, context);
-    if (is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
     ImGui::EndMenu();
   }
   draw_document_name(editor, context);

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "app/gui/race_layout.h"
+#include "app/gui/short_text.h"
 #include "app/gui/view_pane.h"
 #include "app/gui/widgets.h"
 #include "core/method/methods.h"
@@ -18,6 +18,16 @@ namespace {
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+/// Under this the line of a lane and the arrow of its list leave their room to the name. [design
+/// pixels]
+constexpr float kNarrowLane = 240;
+
+/// For what a lane is.
+struct RoomForChoice {
+  float width = 0;
+  bool is_narrow = false;
+};
 
 bool begin_part(const char* id, const Rectangle& place, const Look& look) {
   ImGui::SetNextWindowPos({place.x, place.y});
@@ -101,9 +111,13 @@ void draw_setup(Editor& editor, const PanelContext& context, const Rectangle& pl
   ImGui::PopStyleColor();
 }
 
-void choose_method(Race& race, std::size_t lane) {
+void choose_method(Race& race, std::size_t lane, const RoomForChoice& room) {
   const RaceSetup& setup = race.setup();
-  if (!ImGui::BeginCombo("##method", race.lanes()[lane]->title().c_str())) return;
+  const float arrow = room.is_narrow ? 0 : ImGui::GetFrameHeight();
+  const float words = room.width - arrow - 2 * ImGui::GetStyle().FramePadding.x;
+  if (!ImGui::BeginCombo("##method", lane_name(race, lane, words).c_str(),
+                         room.is_narrow ? ImGuiComboFlags_NoArrowButton : 0))
+    return;
   for (const MethodRow& row : methods())
     if (ImGui::Selectable(row.title.data(), setup.methods[lane] == row.name)) {
       RaceSetup changed = setup;
@@ -123,9 +137,15 @@ void choose_value(Race& race, std::size_t lane) {
   race.set_setup(changed);
 }
 
-/// The lane's line, as in the plots.
-void draw_sample(const Race& race, std::size_t lane, const Look& look) {
+/// The lane's line, as in the plots; along its top where there is no room before the choice.
+void draw_sample(const Race& race, std::size_t lane, bool is_narrow, const Look& look) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
+  if (is_narrow) {
+    const float y = ImGui::GetWindowPos().y + look.px(3);
+    draw_line_sample(curve_of_lane(race, lane, *look.palette), {corner.x, y},
+                     {corner.x + ImGui::GetContentRegionAvail().x, y}, look.px(2));
+    return;
+  }
   const float middle = corner.y + ImGui::GetFrameHeight() / 2;
   draw_line_sample(curve_of_lane(race, lane, *look.palette), {corner.x, middle},
                    {corner.x + look.px(28), middle}, look.px(2));
@@ -135,16 +155,20 @@ void draw_sample(const Race& race, std::size_t lane, const Look& look) {
 
 void draw_choice(Editor& editor, std::size_t lane, const Look& look) {
   Race& race = editor.race();
-  draw_sample(race, lane, look);
+  RoomForChoice room;
+  room.is_narrow = ImGui::GetWindowSize().x < look.px(kNarrowLane);
+  draw_sample(race, lane, room.is_narrow, look);
   const float use = look.px(46);
-  ImGui::SetNextItemWidth(std::max(look.px(40), ImGui::GetContentRegionAvail().x - use));
+  room.width = std::max(look.px(40), ImGui::GetContentRegionAvail().x - use);
+  ImGui::SetNextItemWidth(room.width);
   if (race.setup().varied)
     choose_value(race, lane);
   else
-    choose_method(race, lane);
-  tooltip(race.setup().varied ? "The lane's value of “" + std::string(race.setup().varied->title) +
-                                    "”. Enter starts all lanes again."
-                              : std::string("The lane's method; all lanes start again."),
+    choose_method(race, lane, room);
+  tooltip(race.setup().varied
+              ? "The lane's value of “" + std::string(race.setup().varied->title) +
+                    "”. Enter starts all lanes again."
+              : race.lanes()[lane]->title() + ". Another method starts all lanes again.",
           look);
 }
 
@@ -161,24 +185,38 @@ bool draw_use_button(const RaceLane& lane, const Look& look) {
   return is_pressed;
 }
 
-void draw_numbers(const RaceLane& lane, const Look& look) {
+/// What matters most stands first: in a narrow lane the rest is left out.
+std::string numbers_of(const RaceLane& lane, float width) {
   const Iteration record = lane.record() ? *lane.record() : Iteration{};
-  std::array<char, 160> text{};
   const Proof& proof = lane.proof();
   const bool only_overlaps = !proof.folds() && !proof.holds();
-  std::snprintf(text.data(), text.size(), "H/U %d/%d  ·  ‖P‖² %.2g  ·  %d %s",
-                record.factorizations, record.updates, record.handle_error_squared,
-                only_overlaps ? proof.overlapping_boundary_vertices : proof.inverted,
-                only_overlaps ? "overlapping" : "inverted");
-  if (proof.holds()) return dim_text(text.data(), look);
+  std::string text = only_overlaps
+                         ? std::to_string(proof.overlapping_boundary_vertices) + " overlapping"
+                         : std::to_string(proof.inverted) + " inverted";
+  for (const std::string& more :
+       {"‖P‖² " + short_number(record.handle_error_squared, 2),
+        "H/U " + std::to_string(record.factorizations) + "/" + std::to_string(record.updates)}) {
+    const std::string longer = text + "  ·  " + more;
+    if (ImGui::CalcTextSize(longer.c_str()).x > width) break;
+    text = longer;
+  }
+  return text;
+}
+
+void draw_numbers(const RaceLane& lane, const Look& look) {
+  const Proof& proof = lane.proof();
+  ImGui::PushFont(look.fonts.small);
+  const std::string text = numbers_of(lane, ImGui::GetContentRegionAvail().x);
+  ImGui::PopFont();
+  if (proof.holds()) return dim_text(text, look);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::PushFont(look.fonts.small);
-  const ImVec2 size = ImGui::CalcTextSize(text.data());
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   ImGui::GetWindowDrawList()->AddRectFilled(
       {low.x - look.px(4), low.y - look.px(1)},
       {low.x + size.x + look.px(4), low.y + size.y + look.px(1)}, packed(look.palette->caution),
       look.px(3));
-  ImGui::TextColored(look.palette->on_caution, "%s", text.data());
+  ImGui::TextColored(look.palette->on_caution, "%s", text.c_str());
   ImGui::PopFont();
   tooltip(fold_words(proof), look);
 }
@@ -198,7 +236,8 @@ bool draw_head(Editor& editor, std::size_t index, const RaceLayout::Lane& place,
       const ImVec4& colour = is_good            ? look.palette->good
                              : lane.is_at_end() ? look.palette->warning
                                                 : look.palette->text;
-      ImGui::TextColored(colour, "%s", lane.words().c_str());
+      const float room = ImGui::GetContentRegionAvail().x;
+      ImGui::TextColored(colour, "%s", elided(lane.words(), room).c_str());
       tooltip(lane.words(), look);
       draw_numbers(lane, look);
     }
@@ -222,6 +261,14 @@ void draw_view(Editor& editor, std::size_t index, const RaceLayout::Lane& place,
 }
 
 }  // namespace
+
+std::string lane_name(const Race& race, std::size_t lane, float width) {
+  const bool has_room = std::ranges::all_of(race.lanes(), [width](const auto& other) {
+    return ImGui::CalcTextSize(other->title().c_str()).x <= width;
+  });
+  const RaceLane& named = *race.lanes()[lane];
+  return has_room ? named.title() : elided(named.short_title(), width);
+}
 
 PlotCurve curve_of_lane(const Race& race, std::size_t lane, const Palette& palette) {
   PlotCurve curve;

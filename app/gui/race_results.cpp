@@ -8,14 +8,15 @@
 #include "app/editor/convergence.h"
 #include "app/editor/race_table.h"
 #include "app/gui/race_panel.h"
+#include "app/gui/short_text.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
 namespace {
 
-void number_cell(const char* format, double value) {
+void text_cell(const std::string& text) {
   ImGui::TableNextColumn();
-  ImGui::Text(format, value);
+  ImGui::TextUnformatted(text.c_str());
 }
 
 void name_cell(const Race& race, std::size_t index, const Look& look) {
@@ -26,7 +27,8 @@ void name_cell(const Race& race, std::size_t index, const Look& look) {
                    {corner.x + look.px(22), middle}, look.px(1.6F));
   ImGui::Dummy({look.px(22), 1});
   ImGui::SameLine();
-  ImGui::TextUnformatted(race.lanes()[index]->title().c_str());
+  const float room = ImGui::GetContentRegionAvail().x;
+  ImGui::TextUnformatted(lane_name(race, index, room).c_str());
   tooltip(race.lanes()[index]->title(), look);
 }
 
@@ -35,37 +37,36 @@ void draw_row(const Race& race, std::size_t index, const Look& look) {
   const Iteration record = lane.record() ? *lane.record() : Iteration{};
   ImGui::TableNextRow();
   name_cell(race, index, look);
+  text_cell(short_number(lane.proof().max_conformal_distortion, 3) + " / " +
+            short_number(record.mean_conformal_distortion, 3));
+  text_cell(short_number(record.handle_error_squared, 2));
+  text_cell(std::string(convergence_letter(lane)));
+  text_cell(std::to_string(record.factorizations) + "/" + std::to_string(record.updates));
   ImGui::TableNextColumn();
-  ImGui::Text("%.3g / %.3g", lane.proof().max_conformal_distortion,
-              record.mean_conformal_distortion);
-  number_cell("%.2g", record.handle_error_squared);
-  ImGui::TableNextColumn();
-  const std::string letter(convergence_letter(lane));
-  ImGui::TextUnformatted(letter.c_str());
-  ImGui::TableNextColumn();
-  ImGui::Text("%d/%d", record.factorizations, record.updates);
-  number_cell("%.3f", record.seconds);
+  ImGui::Text("%.3f", record.seconds);
 }
 
 /// A column with its explanation under the mouse.
 struct Column {
   const char* title;
   const char* tip;
-  float weight;
 };
 
 constexpr std::array<Column, 6> kColumns{{
-    {"Lane", "", 3.2F},
-    {"M/A", "Largest and mean conformal distortion σ₁/σ₂.", 1.4F},
-    {"‖P‖²", "Squared distance of the handles to their targets.", 1},
-    {"CI", "How it ended: G by the gradient, S by the step, M not converged.", 0.5F},
-    {"H/U", "Factorizations of the Hessian and updates of the vertices.", 1},
-    {"s", "Seconds of processor time.", 0.8F},
+    {"Lane", ""},
+    {"M/A", "Largest and mean conformal distortion σ₁/σ₂."},
+    {"‖P‖²", "Squared distance of the handles to their targets."},
+    {"CI", "How it ended: G by the gradient, S by the step, M not converged."},
+    {"H/U", "Factorizations of the Hessian and updates of the vertices."},
+    {"s", "Seconds of processor time."},
 }};
 
 void draw_header(const Look& look) {
+  // The numbers get the room that they need, the names what is left.
   for (const Column& column : kColumns)
-    ImGui::TableSetupColumn(column.title, ImGuiTableColumnFlags_WidthStretch, column.weight);
+    ImGui::TableSetupColumn(column.title, &column == kColumns.data()
+                                              ? ImGuiTableColumnFlags_WidthStretch
+                                              : ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (const Column& column : kColumns) {
     ImGui::TableNextColumn();
@@ -88,7 +89,7 @@ void draw_exports(Editor& editor, const Look& look) {
 void draw_table(Editor& editor, const Look& look) {
   ImGui::PushFont(look.fonts.small);
   if (ImGui::BeginTable("table", static_cast<int>(kColumns.size()),
-                        ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp)) {
+                        ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_NoSavedSettings)) {
     draw_header(look);
     for (std::size_t i = 0; i < editor.race().lanes().size(); ++i) draw_row(editor.race(), i, look);
     ImGui::EndTable();

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/gui/dialog_keys.h"
 #include "app/gui/side_dialog.h"
 #include "app/gui/widgets.h"
 
@@ -34,9 +35,8 @@ void draw_row(Recovery& recovery, std::size_t index, const Look& look) {
 
 void draw_rows(Recovery& recovery, const Look& look) {
   const std::size_t selected = recovery.selected();
-  if (is_struck(ImGuiKey_DownArrow) && selected + 1 < recovery.count())
-    recovery.select(selected + 1);
-  if (is_struck(ImGuiKey_UpArrow) && selected > 0) recovery.select(selected - 1);
+  const auto walked = walk_list(selected, recovery.count());
+  if (walked && *walked != selected) recovery.select(*walked);
   for (std::size_t i = 0; i < recovery.count(); ++i) draw_row(recovery, i, look);
 }
 
@@ -51,14 +51,13 @@ void draw_discard_question(Recovery& recovery, const Look& look) {
   ImGui::SameLine();
   const bool discards = ImGui::Button("Discard");
   if (discards) recovery.discard();
-  if (keeps || discards || is_struck(ImGuiKey_Enter) || is_struck(ImGuiKey_Escape))
-    ImGui::CloseCurrentPopup();
+  const DialogKeys keys = dialog_keys();
+  if (keeps || discards || keys.takes || keys.leaves) ImGui::CloseCurrentPopup();
   end_dialog();
 }
 
 void draw_buttons(Editor& editor, const Look& look) {
   Recovery& recovery = editor.files().recovery();
-  const bool has_keys = !ImGui::IsPopupOpen("##discard");
   ImGui::BeginDisabled(!recovery.work());
   const bool restores = main_button("Restore", look);
   ImGui::EndDisabled();
@@ -68,9 +67,9 @@ void draw_buttons(Editor& editor, const Look& look) {
   const bool leaves = ImGui::Button("Later");
   tooltip("It is offered again the next time, and by Recover unsaved work in the File menu.", look);
   draw_discard_question(recovery, look);
-  if (restores || (has_keys && recovery.work() && is_struck(ImGuiKey_Enter)))
-    return editor.files().recover();
-  if (leaves || (has_keys && is_struck(ImGuiKey_Escape))) recovery.close();
+  const DialogKeys keys = dialog_keys();
+  if (restores || (recovery.work() && keys.takes)) return editor.files().recover();
+  if (leaves || keys.leaves) recovery.close();
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ void ask_where_to_save(Editor& editor, UiState& state) {
   request.start = starting_folder(editor, state) / (suggested_name(editor) + ".json");
   request.chosen = [&editor, &state](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
-    editor.files().save_as(path);
+    const std::string problem = editor.files().try_save_as(path);
+    if (!problem.empty()) state.browser.ask_again(problem);
   };
   request.dismissed = [&editor] { editor.files().answer(Answer::cancel); };
   state.browser.ask(std::move(request));
@@ -115,7 +116,7 @@ void ask_where_to_export(const TextExport& job, Editor& editor, UiState& state) 
       write_file_atomically(path, text());
       editor.messages().toast(ToastKind::notice, "Wrote " + path.string());
     } catch (const Error& error) {
-      editor.messages().toast(ToastKind::error, error.what());
+      state.browser.ask_again(error.what());
     }
   };
   state.browser.ask(std::move(request));
@@ -174,7 +175,7 @@ bool handle_requests(Editor& editor, UiState& state, const std::filesystem::path
       case Request::export_svg: export_svg(editor, state); break;
       case Request::export_table: export_table(editor, state); break;
       case Request::command_search: state.search.open(); break;
-      case Request::cheat_sheet: state.shows_cheat_sheet = !state.shows_cheat_sheet; break;
+      case Request::cheat_sheet: state.opens_cheat_sheet = true; break;
       case Request::quit: state.wants_to_quit = true; break;
     }
   }

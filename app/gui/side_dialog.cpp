@@ -44,8 +44,4 @@ Rectangle preview_place(const Layout& layout, float scale) {
   return place;
 }
 
-bool is_struck(ImGuiKey key) {
-  return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
-}
-
 }  // namespace foldless

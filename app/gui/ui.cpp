@@ -11,12 +11,14 @@
 #include "app/gui/canvas_input.h"
 #include "app/gui/canvas_overlay.h"
 #include "app/gui/canvas_picture.h"
+#include "app/gui/dialog_keys.h"
 #include "app/gui/input_feed.h"
 #include "app/gui/panels.h"
 #include "app/gui/preview.h"
 #include "app/gui/race_layout.h"
 #include "app/gui/requests.h"
 #include "app/gui/scenes.h"
+#include "app/gui/tooltips.h"
 #include "app/gui/ui_state.h"
 #include "core/error.h"
 #include "render/ui_renderer.h"
@@ -68,6 +70,7 @@ struct Ui::Parts {
   Settings known_settings;            ///< of the last frame
   std::optional<double> saves_after;  ///< when they are to be written [s]
   Look look;
+  Tooltips tooltips;
   Layout layout;
   std::string clipboard;  ///< keeps the text alive that ImGui was given
   double time = 0;
@@ -150,6 +153,7 @@ void Ui::Parts::carry_out(const ExportJob& job, Editor& editor) {
     }
     editor.messages().toast(ToastKind::notice, "Wrote " + job.path.string());
   } catch (const Error& error) {
+    if (job.is_chosen_now) return state.browser.ask_again(error.what());
     editor.messages().toast(ToastKind::error, error.what());
   }
 }
@@ -162,6 +166,7 @@ Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
   InputFeed::map_keys(io);
   parts_->connect_clipboard();
+  parts_->look.tooltips = &parts_->tooltips;
   if (!parts_->options.state_folder.empty())
     parts_->state.settings = load_settings(settings_file(parts_->options.state_folder));
   parts_->known_settings = parts_->state.settings;
@@ -189,8 +194,10 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   const auto events = p.feed.take_frame(ImGui::GetIO(), pixels);
   p.state.modifiers = p.feed.modifiers();
   ImGui::NewFrame();
+  p.tooltips.begin_frame(spec.time);
   resize(editor);
   route(editor, events, spec.time);
+  begin_dialog_keys();
   editor.view().options().theme = p.state.settings.theme;
   editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);
@@ -207,6 +214,7 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   p.ui_renderer.draw(*ImGui::GetDrawData());
   p.remember(editor);
   p.follow_settings();
+  if (p.tooltips.has_appeared()) p.settling = kSettlingFrames;
   p.settling = std::max(0, p.settling - 1);
 }
 
@@ -270,8 +278,8 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
   if (parts_->settling > 0 || !parts_->feed.is_empty()) return 0.0;
   std::optional<double> next;
   if (const auto wake = editor.next_wake()) next = std::max(0.0, *wake - now);
-  if (const auto& saves = parts_->saves_after)
-    next = std::min(next.value_or(kRestSeconds), std::max(0.0, *saves - now));
+  for (const auto& due : {parts_->saves_after, parts_->tooltips.due()})
+    if (due) next = std::max(0.0, std::min(next.value_or(*due - now), *due - now));
   if (ImGui::GetIO().WantTextInput) next = std::min(next.value_or(1), kTextCursorSeconds);
   return next;
 }

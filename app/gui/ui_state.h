@@ -24,7 +24,7 @@ struct UiState {
   FileBrowser browser;
   CommandSearch search;
   ExportDialog exporting;
-  bool shows_cheat_sheet = false;
+  bool opens_cheat_sheet = false;
   bool shows_about = false;
   bool wants_to_quit = false;
   std::string closed_description;  ///< of a scene: it is not shown again

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/tooltips.h"
+
 namespace foldless {
 namespace {
 
@@ -129,14 +131,7 @@ void dim_text(const std::string& text, const Look& look) {
 }
 
 void tooltip(const std::string& text, const Look& look) {
-  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(8), look.px(6)});
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(look.px(300));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+  if (look.tooltips) look.tooltips->show(text, look);
 }
 
 void key_cap(const std::string& key, const Look& look) {
@@ -198,7 +193,5 @@ void slider_line(double position, const Look& look) {
       {low.x + inset, high.y - look.px(3)}, {low.x + inset + end, high.y - look.px(1)},
       packed(look.palette->accent, ImGui::GetStyle().Alpha), look.px(1));
 }
-
-bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
 }  // namespace foldless

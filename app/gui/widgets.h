@@ -33,7 +33,7 @@ bool section(const char* title, bool is_open, const Look& look);
 /// One line of secondary text, cut at the end when it does not fit.
 void dim_text(const std::string& text, const Look& look);
 
-/// Shows wrapped text when the mouse rests on the last item.
+/// Shows wrapped text beside the panel when the mouse has rested on the last item.
 void tooltip(const std::string& text, const Look& look);
 
 /// A key cap, `Ctrl+Z`, at the cursor.
@@ -53,8 +53,5 @@ void title_text(const char* words, const Look& look);
 /// Draws how far a slider stands, 0 … 1, as a line at the bottom of the last item, which leaves its
 /// number readable.
 void slider_line(double position, const Look& look);
-
-/// True in the frame in which the key went down or repeats.
-bool is_pressed(ImGuiKey key);
 
 }  // namespace foldless

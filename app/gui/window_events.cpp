@@ -54,6 +54,8 @@ Key named_key(int key) {
     case GLFW_KEY_DELETE: return Key::del;
     case GLFW_KEY_HOME: return Key::home;
     case GLFW_KEY_END: return Key::end;
+    case GLFW_KEY_PAGE_UP: return Key::page_up;
+    case GLFW_KEY_PAGE_DOWN: return Key::page_down;
     case GLFW_KEY_LEFT: return Key::left;
     case GLFW_KEY_RIGHT: return Key::right;
     case GLFW_KEY_UP: return Key::up;

@@ -46,6 +46,17 @@ TEST_F(Directory, KeepsFilesOfTheWantedKindsOnly) {
   EXPECT_EQ(names(wanted), (std::vector<std::string>{"mesh.obj", "scene.JSON"}));
 }
 
+TEST_F(Directory, MakesAFolderOrSaysWhyNot) {
+  EXPECT_EQ(make_folder(folder_, "poses"), "");
+  EXPECT_TRUE(std::filesystem::is_directory(folder_ / "poses"));
+  EXPECT_EQ(make_folder(folder_, "poses"), "“poses” is there already.");
+  EXPECT_EQ(make_folder(folder_, ""), "A folder needs a name.");
+  EXPECT_EQ(make_folder(folder_, ".."), "A folder cannot be called “..”.");
+  EXPECT_EQ(make_folder(folder_, "a/b"), "A folder cannot be called “a/b”.");
+  EXPECT_EQ(make_folder(folder_ / "none", "x"),
+            "“x” cannot be made here: No such file or directory.");
+}
+
 TEST_F(Directory, SaysWhyAFolderCannotBeRead) {
   const auto listing = list_directory(folder_ / "missing", {});
   EXPECT_TRUE(listing.entries.empty());

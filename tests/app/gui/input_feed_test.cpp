@@ -38,6 +38,18 @@ TEST_F(InputFeedTest, ShowsTheTapOfAKeyInTwoFrames) {
   EXPECT_FALSE(io().KeysDown[static_cast<int>(Key::z)]);
 }
 
+TEST_F(InputFeedTest, HoldsTheModifiersOfAKeyThatIsLetGoAfterThem) {
+  feed_.push(ModifiersHeld{{.control = true}});
+  feed_.push(KeyPressed{Key::n, {.control = true}, false});
+  feed_.push(ModifiersHeld{});
+  feed_.push(KeyReleased{Key::n});
+  feed_.take_frame(io(), kOne);
+  EXPECT_TRUE(io().KeysDown[static_cast<int>(Key::n)]);
+  EXPECT_TRUE(io().KeyCtrl);
+  feed_.take_frame(io(), kOne);
+  EXPECT_FALSE(io().KeyCtrl);
+}
+
 TEST_F(InputFeedTest, TakesManyMovesAtOnceButNoneAfterAPress) {
   for (int i = 1; i <= 5; ++i) feed_.push(PointerMoved{Vec2(i, i), {}});
   feed_.push(PointerPressed{Button::left, {5, 5}, {}});

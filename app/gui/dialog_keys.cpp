@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/dialog_keys.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+namespace foldless {
+namespace {
+
+constexpr int kPage = 10;  // rows
+
+/// Until it is let go and pressed anew, as its repeats do not press it.
+void forget_key(int index) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeysDown[index] = false;
+  io.KeysDownDuration[index] = -1;
+}
+
+void forget_held_keys() {
+  const ImGuiIO& io = ImGui::GetIO();
+  for (int index = 0; index < IM_ARRAYSIZE(io.KeysDown); ++index)
+    if (io.KeysDownDuration[index] > 0) forget_key(index);
+}
+
+bool take_press(int index) {
+  if (!ImGui::IsKeyPressed(index, false)) return false;
+  forget_key(index);
+  return true;
+}
+
+/// In the frame in which it appears, the key press is the one that opened it.
+bool has_keys() {
+  return !ImGui::IsWindowAppearing() && !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
+}
+
+bool is_dialog(const ImGuiPopupData& popup) {
+  return popup.Window && (popup.Window->Flags & ImGuiWindowFlags_Modal);
+}
+
+/// Submenus go together with their menu.
+void close_top_popup() {
+  const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
+  int level = open.Size - 1;
+  const auto is_submenu = [&open](int i) {
+    return i > 0 && open[i].Window && (open[i].Window->Flags & ImGuiWindowFlags_ChildMenu) &&
+           !is_dialog(open[i - 1]);
+  };
+  while (is_submenu(level)) --level;
+  ImGui::ClosePopupToLevel(level, true);
+}
+
+bool is_walked(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
+}  // namespace
+
+void begin_dialog_keys() {
+  const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
+  if (open.empty()) return;
+  if (open.back().OpenFrameCount == ImGui::GetFrameCount() - 1) forget_held_keys();
+  if (!is_dialog(open.back()) && take_press(ImGui::GetKeyIndex(ImGuiKey_Escape))) close_top_popup();
+}
+
+DialogKeys dialog_keys(TextKeys text_keys) {
+  const bool is_typing = ImGui::GetIO().WantTextInput && text_keys == TextKeys::field;
+  if (!has_keys() || is_typing) return {};
+  return {take_press(ImGui::GetKeyIndex(ImGuiKey_Enter)),
+          take_press(ImGui::GetKeyIndex(ImGuiKey_Escape))};
+}
+
+bool takes_key(Key key) { return has_keys() && take_press(static_cast<int>(key)); }
+
+std::optional<std::size_t> walk_list(std::size_t selected, std::size_t count, bool has_text) {
+  if (count == 0 || !has_keys()) return std::nullopt;
+  const int last = static_cast<int>(count) - 1;
+  if (is_walked(ImGuiKey_Home) && !has_text) return 0;
+  if (is_walked(ImGuiKey_End) && !has_text) return count - 1;
+  int by = 0;
+  if (is_walked(ImGuiKey_DownArrow)) by = 1;
+  if (is_walked(ImGuiKey_UpArrow)) by = -1;
+  if (is_walked(ImGuiKey_PageDown)) by = kPage;
+  if (is_walked(ImGuiKey_PageUp)) by = -kPage;
+  if (by == 0) return std::nullopt;
+  return static_cast<std::size_t>(std::clamp(static_cast<int>(selected) + by, 0, last));
+}
+
+}  // namespace foldless
