@@ -91,7 +91,7 @@ TEST_F(Remembered, AParameterIsResetByItsButton) {
   headless_->settle();
   // Nothing but reset buttons is that far to the right.
   const Rectangle right = headless_->ui().layout().right;
-  for (float y = right.y + 80; y < right.y + 400 && value() == 7; y += 5)
+  for (float y = right.y + 80; y < right.y + 400 && value() == 7; y += 11)
     headless_->click({right.x + right.width - 18, y});
   EXPECT_EQ(value(), before);
 }
@@ -104,8 +104,8 @@ TEST_F(Remembered, ASentenceThatWasClosedStaysClosed) {
   const Rectangle canvas = headless_->ui().layout().canvas;
   const std::size_t handles = editor().document().handles.size();
   // Its cross is at the right end; what is beyond is the canvas, where a click does nothing here.
-  for (float x = canvas.x + canvas.width - 20; x > canvas.x + canvas.width / 2; x -= 4)
-    headless_->click({x, canvas.y + 20});
+  const float middle = canvas.x + canvas.width / 2;
+  for (float x = middle + 310; x > middle + 100; x -= 7) headless_->click({x, canvas.y + 20});
   EXPECT_EQ(editor().document().handles.size(), handles);
   headless_->calm_down();
   EXPECT_GT(differing_pixels(with_sentence, headless_->canvas_picture()), 200);
