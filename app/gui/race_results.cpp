@@ -63,7 +63,7 @@ constexpr std::array<Column, 6> kColumns{{
     {"s", "Seconds of processor time.", 0.8F},
 }};
 
-void draw_header(const Look& look) {
+void draw_column_titles(const Look& look) {
   for (const Column& column : kColumns)
     ImGui::TableSetupColumn(column.title, ImGuiTableColumnFlags_WidthStretch, column.weight);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
@@ -89,7 +89,7 @@ void draw_table(Editor& editor, const Look& look) {
   ImGui::PushFont(look.fonts.small);
   if (ImGui::BeginTable("table", static_cast<int>(kColumns.size()),
                         ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp)) {
-    draw_header(look);
+    draw_column_titles(look);
     for (std::size_t i = 0; i < editor.race().lanes().size(); ++i) draw_row(editor.race(), i, look);
     ImGui::EndTable();
   }
