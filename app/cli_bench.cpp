@@ -69,14 +69,15 @@ void keep_scenes(const std::filesystem::path& folder, const std::vector<BenchSce
 }
 
 /// One line on stderr that is written over, where a person looks on.
-class Progress {
+class BenchProgress {
  public:
-  explicit Progress(std::size_t total) : total_(total), is_shown_(isatty(STDERR_FILENO) == 1) {}
-  ~Progress() {
+  explicit BenchProgress(std::size_t total)
+      : total_(total), is_shown_(isatty(STDERR_FILENO) == 1) {}
+  ~BenchProgress() {
     if (is_shown_) std::cerr << "\r\033[K" << std::flush;
   }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  BenchProgress(const BenchProgress&) = delete;
+  BenchProgress& operator=(const BenchProgress&) = delete;
 
   void show(const BenchRow& row) {
     ++done_;
@@ -143,7 +144,7 @@ void write_paper(const std::filesystem::path& folder, const PaperSuite& suite, c
 
 Rows run_with_progress(const BenchCall& call, const std::vector<BenchJob>& jobs,
                        const Interrupt& interrupt) {
-  Progress progress(jobs.size());
+  BenchProgress progress(jobs.size());
   return run_jobs(jobs, call.options,
                   {.is_interrupted = [&] { return interrupt.is_requested(); },
                    .finished = [&](const BenchRow& row) { progress.show(row); }});

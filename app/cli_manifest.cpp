@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array kNames{"rest.obj",    "deformed.obj",   "deformed.png",
                             "report.json", "iterations.csv", kManifest};
-constexpr std::string_view kFrames = "frames/";
+constexpr std::string_view kInFrames = "frames/";
 constexpr double kVersion = 1;
 
 std::string hexadecimal(std::uint32_t number) {
@@ -51,8 +51,8 @@ ResultFile read_entry(const JsonValue& value) {
 
 bool is_result_name(const std::string& name) {
   if (std::ranges::find(kNames, name) != kNames.end()) return true;
-  if (!name.starts_with(kFrames)) return false;
-  const fs::path frame = name.substr(kFrames.size());
+  if (!name.starts_with(kInFrames)) return false;
+  const fs::path frame = name.substr(kInFrames.size());
   const std::string number = frame.stem().string();
   return number.size() >= 6 && !frame.has_parent_path() &&
          std::ranges::all_of(number, [](char c) { return '0' <= c && c <= '9'; }) &&
@@ -62,7 +62,7 @@ bool is_result_name(const std::string& name) {
 std::optional<ResultFile> entry_of(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / name;
   if (!fs::is_regular_file(fs::symlink_status(file))) return std::nullopt;
-  if (name.starts_with(kFrames) && fs::is_symlink(fs::symlink_status(file.parent_path())))
+  if (name.starts_with(kInFrames) && fs::is_symlink(fs::symlink_status(file.parent_path())))
     return std::nullopt;
   const std::string bytes = read_file(file);
   return ResultFile{name, bytes.size(), crc32_of(bytes)};

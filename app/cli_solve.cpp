@@ -50,14 +50,14 @@ std::optional<FigureOptions> figure_of(const SolveCall& call, const Scene& scene
 }
 
 /// One line on stderr that is written over, a few times a second, where a person looks on.
-class Progress {
+class SolveProgress {
  public:
-  explicit Progress(bool is_wanted) : is_shown_(is_wanted && isatty(STDERR_FILENO) == 1) {}
-  ~Progress() {
+  explicit SolveProgress(bool is_wanted) : is_shown_(is_wanted && isatty(STDERR_FILENO) == 1) {}
+  ~SolveProgress() {
     if (was_written_) std::cerr << "\r\033[K" << std::flush;
   }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  SolveProgress(const SolveProgress&) = delete;
+  SolveProgress& operator=(const SolveProgress&) = delete;
 
   void show(const Iteration& record) {
     if (!is_shown_ || seconds_since(last_) < 0.2) return;
@@ -118,7 +118,7 @@ class Loop {
   const SolveCall& call_;
   Solved& solved_;
   Results& results_;
-  Progress progress_;
+  SolveProgress progress_;
   int seen_ = 0;
   std::shared_ptr<const Snapshot> last_seen_;
   std::shared_ptr<const Snapshot> last_frame_;

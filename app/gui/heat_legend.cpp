@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kStripes = 64;
 
-std::string short_number(double value) {
+std::string heat_number(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), value >= 100 ? "%.3g" : "%.2f", value);
   return text.data();
@@ -38,7 +38,7 @@ void draw_numbers(const HeatRange& range, const ImVec2& corner, float width, con
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImFont* font = look.fonts.small;
   for (const double t : {0.0, 1.0 / 3, 2.0 / 3, 1.0}) {
-    const std::string number = short_number(value_at(range, t));
+    const std::string number = heat_number(value_at(range, t));
     const float text_width =
         font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, number.c_str(), nullptr).x;
     const float x = corner.x + static_cast<float>(t) * (width - text_width);
@@ -58,7 +58,7 @@ void draw_marker(const ImVec2& corner, float x, const Look& look) {
 void draw_heat_legend(const HeatRange& range, std::optional<double> hovered, const Look& look) {
   const std::string name =
       range.measure == HeatMeasure::conformal ? "σ₁/σ₂, 1 keeps angles" : "A′/A, 1 keeps areas";
-  dim_text(hovered ? name + " · here " + short_number(*hovered) : name + " · log scale", look);
+  dim_text(hovered ? name + " · here " + heat_number(*hovered) : name + " · log scale", look);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = look.px(12);

@@ -10,7 +10,7 @@ namespace {
 // Design pixels.
 constexpr float kSetup = 42;
 constexpr float kTwoLines = 74;
-constexpr float kNarrow = 640;  ///< under this the setup takes two lines
+constexpr float kNarrowRace = 640;  ///< under this the setup takes two lines
 constexpr float kHead = 78;
 constexpr float kFewestResults = 96;
 constexpr float kMostResults = 340;
@@ -21,7 +21,7 @@ constexpr float kLine = 2;
 RaceLayout race_layout_for(const Rectangle& area, std::size_t lanes, float scale) {
   const auto px = [scale](float design) { return std::round(design * scale); };
   RaceLayout layout;
-  const float setup = std::min(px(area.width < px(kNarrow) ? kTwoLines : kSetup), area.height);
+  const float setup = std::min(px(area.width < px(kNarrowRace) ? kTwoLines : kSetup), area.height);
   const float results =
       std::min(std::clamp(std::round(0.42F * area.height), px(kFewestResults), px(kMostResults)),
                area.height - setup);

@@ -61,7 +61,7 @@ constexpr std::array<Column, 6> kColumns{{
     {"s", "Seconds of processor time."},
 }};
 
-void draw_header(const Look& look) {
+void draw_column_titles(const Look& look) {
   // The numbers get the room that they need, the names what is left.
   for (const Column& column : kColumns)
     ImGui::TableSetupColumn(column.title, &column == kColumns.data()
@@ -90,7 +90,7 @@ void draw_table(Editor& editor, const Look& look) {
   ImGui::PushFont(look.fonts.small);
   if (ImGui::BeginTable("table", static_cast<int>(kColumns.size()),
                         ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_NoSavedSettings)) {
-    draw_header(look);
+    draw_column_titles(look);
     for (std::size_t i = 0; i < editor.race().lanes().size(); ++i) draw_row(editor.race(), i, look);
     ImGui::EndTable();
   }

@@ -17,7 +17,6 @@ constexpr int kSamples = 16;
 /// |1 − a| below which a similarity has no fixed point to speak of.
 constexpr double kLeastTurn = 1e-6;
 
-std::complex<double> complex(const Vec2& p) { return {p.x(), p.y()}; }
 Vec2 vector(const std::complex<double>& z) { return {z.real(), z.imag()}; }
 
 /// Those that move.

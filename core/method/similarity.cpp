@@ -4,29 +4,20 @@
 #include <cmath>
 
 namespace foldless {
-namespace similarity {
-
-using Complex = std::complex<double>;
-
-Complex complex(const Vec2& p) { return {p.x(), p.y()}; }
-
-}  // namespace similarity
-
 Vec2 Similarity::operator()(const Vec2& z) const {
-  const std::complex<double> p = a * (similarity::complex(z) - from) + to;
+  const std::complex<double> p = a * (complex(z) - from) + to;
   return {p.real(), p.imag()};
 }
 
 // a = Σ conj(z − z₀)(p − p₀) / Σ|z − z₀|² with the centres z₀ of the starts z and p₀ of the targets
 // p.
 Similarity similarity_of(const Points& starts, const Points& targets) {
-  using namespace similarity;
   if (starts.cols() == 0) return {};
   Similarity s{.from = complex(starts.rowwise().mean()), .to = complex(targets.rowwise().mean())};
-  Complex product = 0;
+  std::complex<double> product = 0;
   double spread = 0;
   for (Eigen::Index i = 0; i < starts.cols(); ++i) {
-    const Complex z = complex(starts.col(i)) - s.from;
+    const std::complex<double> z = complex(starts.col(i)) - s.from;
     product += std::conj(z) * (complex(targets.col(i)) - s.to);
     spread += std::norm(z);
   }

@@ -7,6 +7,9 @@
 
 namespace foldless {
 
+/// A point of the plane as a complex number.
+inline std::complex<double> complex(const Vec2& p) { return {p.x(), p.y()}; }
+
 /// The similarity z ↦ a (z − from) + to of the plane: |a| scales, arg a turns.
 struct Similarity {
   std::complex<double> a = 1, from = 0, to = 0;

@@ -24,8 +24,6 @@
 namespace foldless::test {
 namespace {
 
-constexpr Modifiers kControl{.control = true};
-
 /// A bar that is bent so far that edges flip.
 class Compare : public testing::Test {
  protected:

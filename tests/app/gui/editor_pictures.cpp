@@ -16,8 +16,6 @@
 namespace foldless::test {
 namespace {
 
-constexpr Modifiers kControl{.control = true};
-
 /// Where the rightmost handle is in the window: a hand of the figure on the first screen.
 Vec2 right_hand(HeadlessEditor& headless) {
   Vec2 rightmost(-1, 0);

@@ -85,10 +85,8 @@ void HeadlessEditor::key(Key key, Modifiers modifiers) {
 }
 
 void HeadlessEditor::type(std::string_view ascii) {
-  for (const char c : ascii) {
-    ui_.receive(CharacterTyped{static_cast<char32_t>(c)});
-    settle();
-  }
+  for (const char c : ascii) ui_.receive(CharacterTyped{static_cast<char32_t>(c)});
+  settle();
 }
 
 Vec2 HeadlessEditor::window_point(const Vec2& world) const {

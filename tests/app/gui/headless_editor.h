@@ -12,6 +12,9 @@
 
 namespace foldless::test {
 
+inline constexpr Modifiers kControl{.control = true};
+inline constexpr Modifiers kControlShift{.shift = true, .control = true};
+
 /// The whole editor without a window: events in, pixels out, in OSMesa.
 class HeadlessEditor {
  public:

@@ -13,9 +13,6 @@
 namespace foldless::test {
 namespace {
 
-constexpr Modifiers kControl{.control = true};
-constexpr Modifiers kControlShift{.shift = true, .control = true};
-
 class WholeEditor : public testing::Test {
  protected:
   void SetUp() override {

@@ -49,10 +49,6 @@ Problem grid_moved_by(const Similarity& motion, const std::vector<int>& vertices
   return problem;
 }
 
-OwnWorkspace workspace_for(const Problem& problem) {
-  return test::workspace_of(problem.mesh, problem.handles);
-}
-
 bool moves(Workspace& work, CommonMotion which) {
   return test::run_to_the_end(move_together(work, which));
 }
@@ -99,7 +95,7 @@ TEST(CommonMotion, ASimilarityMovesEveryVertexAndPutsTheHandlesExactlyOnTheirTar
     std::mt19937_64 random(seed);
     const Similarity motion = random_similarity(random, 1.9);
     const Problem problem = grid_moved_by(motion, kHandles);
-    OwnWorkspace own = workspace_for(problem);
+    OwnWorkspace own = test::workspace_of(problem);
     ASSERT_TRUE(moves(own.work, CommonMotion::exact));
     EXPECT_EQ(own.work.error(), 0);
     EXPECT_LT(largest_difference(own.work.mesh.deformed(), motion(problem.mesh.rest())), 1e-12);
@@ -109,15 +105,15 @@ TEST(CommonMotion, ASimilarityMovesEveryVertexAndPutsTheHandlesExactlyOnTheirTar
 
 TEST(CommonMotion, OnlyWhatAllHandlesDoIsExact) {
   const Problem problem = grid_moved_by({.angle = 2}, kHandles, 1e-3);
-  OwnWorkspace own = workspace_for(problem);
+  OwnWorkspace own = test::workspace_of(problem);
   EXPECT_FALSE(moves(own.work, CommonMotion::exact));
-  OwnWorkspace large = workspace_for(grid_moved_by({.scale = 2.1}, kHandles));
+  OwnWorkspace large = test::workspace_of(grid_moved_by({.scale = 2.1}, kHandles));
   EXPECT_FALSE(moves(large.work, CommonMotion::exact)) << "a scale beyond two";
 }
 
 TEST(CommonMotion, TheNearestRigidMotionIsTakenWhereItLeavesLessThanHalfOfALongWay) {
   const Problem problem = grid_moved_by({.angle = 2, .shift = {0.5, 0}}, kHandles, 0.05);
-  OwnWorkspace own = workspace_for(problem);
+  OwnWorkspace own = test::workspace_of(problem);
   const double error = own.work.error();
   ASSERT_TRUE(moves(own.work, CommonMotion::near));
   EXPECT_LT(own.work.error(), 0.25 * error);
@@ -126,11 +122,11 @@ TEST(CommonMotion, TheNearestRigidMotionIsTakenWhereItLeavesLessThanHalfOfALongW
   for (int v = 1; v < 81; ++v)
     EXPECT_NEAR((u.col(v) - u.col(0)).norm(), (rest.col(v) - rest.col(0)).norm(), 1e-12);
 
-  OwnWorkspace shortly = workspace_for(grid_moved_by({.shift = {0.02, 0}}, kHandles, 0.001));
+  OwnWorkspace shortly = test::workspace_of(grid_moved_by({.shift = {0.02, 0}}, kHandles, 0.001));
   EXPECT_FALSE(moves(shortly.work, CommonMotion::near)) << "a short way";
   Problem apart = grid_moved_by({}, kHandles);
   apart.handles[0].target += Vec2(0.3, 0);
-  OwnWorkspace others_stay = workspace_for(apart);
+  OwnWorkspace others_stay = test::workspace_of(apart);
   EXPECT_FALSE(moves(others_stay.work, CommonMotion::near)) << "the others stay";
 }
 
@@ -153,7 +149,7 @@ TEST(CommonMotion, PartsMoveByThemselves) {
 }
 
 TEST(CommonMotion, AMeshThatWouldLeaveTheFeasibleSetStays) {
-  OwnWorkspace own = workspace_for(grid_moved_by({.scale = 0.6}, kHandles));
+  OwnWorkspace own = test::workspace_of(grid_moved_by({.scale = 0.6}, kHandles));
   own.settings.energy.delta = 0.5;  // areas become 0.36 of what they were
   const Points before = own.work.mesh.deformed();
   EXPECT_FALSE(moves(own.work, CommonMotion::exact));

@@ -26,15 +26,11 @@ Problem turned_core(double degrees, bool is_held) {
   return is_held ? test::held_grid(moved) : test::grid_problem(moved);
 }
 
-OwnWorkspace workspace_for(const Problem& problem) {
-  return test::workspace_of(problem.mesh, problem.handles);
-}
-
 TEST(Legs, OfATurnAreSixtyDegreesAtMostAndOnItsCircle) {
   for (const int degrees : {90, 91, 120, 121, 150, 179, 181, 210, 270}) {
     SCOPED_TRACE(degrees);
     const Problem problem = turned_core(degrees, true);
-    const OwnWorkspace own = workspace_for(problem);
+    const OwnWorkspace own = test::workspace_of(problem);
     const std::vector<Points> stops = legs_of(own.work);
     const int shortest_way = std::min(degrees, 360 - degrees);
     EXPECT_EQ(stops.size(), static_cast<std::size_t>(std::ceil(shortest_way / 60.0)));
@@ -54,7 +50,7 @@ TEST(Legs, OfATurnAreSixtyDegreesAtMostAndOnItsCircle) {
 
 TEST(Legs, ThereIsOneWhereHandlesDoNotTurnFarTogether) {
   const auto count = [](const Problem& problem) {
-    return legs_of(workspace_for(problem).work).size();
+    return legs_of(test::workspace_of(problem).work).size();
   };
   EXPECT_EQ(count(turned_core(89, true)), 1u);
   Problem two = turned_core(170, false);
@@ -86,7 +82,7 @@ TEST(Legs, OtherPartsGoStraightBesideThem) {
 }
 
 TEST(Legs, APursuitStopsAtEach) {
-  OwnWorkspace own = workspace_for(turned_core(175, false));
+  OwnWorkspace own = test::workspace_of(turned_core(175, false));
   const std::vector<Points> stops = legs_of(own.work);
   StageRunner<Progress> runner(pursue(own.work));
   std::size_t next = 0;
@@ -101,11 +97,11 @@ TEST(Legs, APursuitStopsAtEach) {
 }
 
 TEST(Legs, LeadAnApproachWhereStraightWaysMeetInAPoint) {
-  OwnWorkspace straight = workspace_for(turned_core(180, true));
+  OwnWorkspace straight = test::workspace_of(turned_core(180, true));
   EXPECT_EQ(test::run_to_the_end(approach(straight.work, FactorUse::lagged)), Progress::locked);
   for (const double degrees : {150, 165, 180, 195, 210}) {
     SCOPED_TRACE(degrees);
-    OwnWorkspace led = workspace_for(turned_core(degrees, true));
+    OwnWorkspace led = test::workspace_of(turned_core(degrees, true));
     EXPECT_EQ(test::run_to_the_end(approach(led.work, FactorUse::lagged, legs_of(led.work))),
               Progress::arrived);
     EXPECT_EQ(led.work.error(), 0);

@@ -41,6 +41,9 @@ inline RunSettings run_settings(const Density* density, const MeshPair& mesh) {
 inline OwnWorkspace workspace_of(const MeshPair& mesh, const std::vector<Handle>& handles) {
   return {mesh, constraints_of(handles), run_settings(find_density("arap"), mesh)};
 }
+inline OwnWorkspace workspace_of(const Problem& problem) {
+  return workspace_of(problem.mesh, problem.handles);
+}
 
 /// Handles on their targets in a random map, `splits` of its edges split.
 inline OwnWorkspace arrived_workspace(std::uint64_t seed, int splits = 0) {
