@@ -7,6 +7,7 @@
 
 #include "app/gui/dialog_keys.h"
 #include "app/gui/directory.h"
+#include "app/gui/short_text.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
@@ -27,10 +28,11 @@ std::optional<std::filesystem::path> NewFolder::draw(const std::filesystem::path
   if (ImGui::InputTextWithHint("##name", "Name of the folder", &name_,
                                ImGuiInputTextFlags_AutoSelectAll))
     problem_.clear();
+  const float room = ImGui::GetContentRegionAvail().x;
   if (problem_.empty())
-    dim_text("In " + parent.string(), look);
+    dim_text(elided("In " + parent.string(), room), look);
   else
-    ImGui::TextColored(look.palette->warning, "%s", problem_.c_str());
+    ImGui::TextColored(look.palette->warning, "%s", elided(problem_, room).c_str());
   const DialogKeys keys = dialog_keys(TextKeys::dialog);
   std::optional<std::filesystem::path> made;
   if (main_button("Make it", look) || keys.takes) {

@@ -97,12 +97,13 @@ void Tooltips::show(const std::string& text, const Look& look) {
       {0, 0, display.x, display.y}, size.x + 2 * padding.x, size.y + 2 * padding.y, look.px(4));
   ImGui::SetNextWindowPos({at.x, at.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // of a greyed item too
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(look.px(kTextWidth) + padding.x);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
 }
 
 }  // namespace foldless
