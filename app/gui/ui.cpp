@@ -29,7 +29,7 @@ namespace {
 /// ImGui lays out what it met for the first time one frame later, and popups two.
 constexpr int kSettlingFrames = 3;
 constexpr double kTextCursorSeconds = 0.4;
-constexpr double kRestSeconds = 0.5;
+constexpr double kSettingsRestSeconds = 0.5;
 
 /// What the editor shows without being asked to by an event.
 struct News {
@@ -122,7 +122,7 @@ void Ui::Parts::follow_settings() {
   if (state.settings == known_settings) return;
   known_settings = state.settings;
   settling = kSettlingFrames;
-  saves_after = time + kRestSeconds;
+  saves_after = time + kSettingsRestSeconds;
 }
 
 void Ui::Parts::save() {
