@@ -172,6 +172,7 @@ std::vector<AutosaveFolder> find_lost_work(const fs::path& root) {
   }
   std::ranges::sort(found, std::greater{}, [](const auto& one) { return one.first; });
   std::vector<AutosaveFolder> folders;
+  folders.reserve(found.size());
   for (auto& [time, folder] : found) folders.push_back(std::move(folder));
   return folders;
 }

@@ -9,7 +9,7 @@
 
 namespace foldless {
 
-Editor::Editor(EditorOptions options)
+Editor::Editor(const EditorOptions& options)
     : draft_(messages_, options.wake, options.history_bytes),
       race_(options.wake),
       view_(draft_, messages_),

@@ -35,7 +35,7 @@ struct EditorOptions {
 /// cancels the gesture.
 class Editor {
  public:
-  explicit Editor(EditorOptions options = {});
+  explicit Editor(const EditorOptions& options = {});
   ~Editor();
   Editor(const Editor&) = delete;
   Editor& operator=(const Editor&) = delete;

@@ -15,9 +15,9 @@
 namespace foldless {
 namespace {
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags kRaceWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                         ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 /// Under this the line of a lane and the arrow of its list leave their room to the name. [design
 /// pixels]
@@ -34,7 +34,7 @@ bool begin_part(const char* id, const Rectangle& place, const Look& look) {
   ImGui::SetNextWindowSize({place.width, place.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(10), look.px(7)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2{1, 1});
-  const bool is_visible = ImGui::Begin(id, nullptr, kFixed);
+  const bool is_visible = ImGui::Begin(id, nullptr, kRaceWindow);
   ImGui::PopStyleVar(2);
   return is_visible;
 }
@@ -196,9 +196,10 @@ std::string numbers_of(const RaceLane& lane, float width) {
   for (const std::string& more :
        {"‖P‖² " + short_number(record.handle_error_squared, 2),
         "H/U " + std::to_string(record.factorizations) + "/" + std::to_string(record.updates)}) {
-    const std::string longer = text + "  ·  " + more;
+    std::string longer = text;
+    longer.append("  ·  ").append(more);
     if (ImGui::CalcTextSize(longer.c_str()).x > width) break;
-    text = longer;
+    text = std::move(longer);
   }
   return text;
 }

@@ -10,7 +10,7 @@
 namespace foldless {
 namespace {
 
-constexpr double kRestSeconds = 0.5;
+constexpr double kTooltipSeconds = 0.5;
 constexpr float kTextWidth = 300;  // design pixels
 
 Rectangle rectangle_of(const ImVec2& low, const ImVec2& high) {
@@ -34,8 +34,9 @@ bool fits(const Rectangle& place, const Rectangle& display) {
 
 }  // namespace
 
-Rectangle tooltip_place(const Rectangle& item, const Rectangle& surroundings,
-                        const Rectangle& display, float width, float height, float gap) {
+Rectangle tooltip_place(const TooltipSite& site, const ImVec2& size, float gap) {
+  const auto& [item, surroundings, display] = site;
+  const auto [width, height] = size;
   const auto within = [](float at, float size, float low, float room) {
     return std::max(low, std::min(at, low + room - size));
   };
@@ -72,11 +73,11 @@ void Tooltips::begin_frame(double time) {
   shown_before_.reset();
 }
 
-bool Tooltips::is_due() const { return rests_since_ && time_ - *rests_since_ >= kRestSeconds; }
+bool Tooltips::is_due() const { return rests_since_ && time_ - *rests_since_ >= kTooltipSeconds; }
 
 std::optional<double> Tooltips::due() const {
   if (!is_awaited_ || !rests_since_) return std::nullopt;
-  return *rests_since_ + kRestSeconds;
+  return *rests_since_ + kTooltipSeconds;
 }
 
 void Tooltips::show(const std::string& text, const Look& look) {
@@ -92,9 +93,11 @@ void Tooltips::show(const std::string& text, const Look& look) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, look.px(kTextWidth));
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImGuiWindow& window = whole_window();
-  const Rectangle at = tooltip_place(
-      place, {window.Pos.x, window.Pos.y, window.Size.x, window.Size.y},
-      {0, 0, display.x, display.y}, size.x + 2 * padding.x, size.y + 2 * padding.y, look.px(4));
+  const Rectangle at =
+      tooltip_place({.item = place,
+                     .surroundings = {window.Pos.x, window.Pos.y, window.Size.x, window.Size.y},
+                     .display = {0, 0, display.x, display.y}},
+                    {size.x + 2 * padding.x, size.y + 2 * padding.y}, look.px(4));
   ImGui::SetNextWindowPos({at.x, at.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // of a greyed item too

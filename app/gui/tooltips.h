@@ -11,11 +11,17 @@
 
 namespace foldless {
 
-/// Where a tooltip of that width and height is nearest to its item beside `surroundings`, the
-/// window of the item, so that it covers neither the item nor what is next to it. Inside of
-/// `display`; under or over the item when no side has room.
-Rectangle tooltip_place(const Rectangle& item, const Rectangle& surroundings,
-                        const Rectangle& display, float width, float height, float gap);
+/// What a tooltip is placed by.
+struct TooltipSite {
+  Rectangle item;
+  Rectangle surroundings;  ///< the window of the item
+  Rectangle display;
+};
+
+/// Where a tooltip of that size is nearest to its item beside the item's surroundings, so that it
+/// covers neither the item nor what is next to it. Inside of the display; under or over the item
+/// when no side has room.
+Rectangle tooltip_place(const TooltipSite& site, const ImVec2& size, float gap);
 
 /// Tooltips appear when the mouse has rested on an item for half a second, and stay while it is
 /// there.

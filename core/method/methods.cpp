@@ -71,6 +71,7 @@ std::span<const MethodRow> methods() { return kMethods; }
 
 std::vector<std::string_view> method_names() {
   std::vector<std::string_view> names;
+  names.reserve(std::size(kMethods));
   for (const MethodRow& row : kMethods) names.push_back(row.name);
   return names;
 }

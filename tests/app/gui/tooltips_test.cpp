@@ -17,7 +17,7 @@ bool touch(const Rectangle& a, const Rectangle& b) {
 TEST(TooltipPlace, IsBesideTheWindowOfTheItemWhereThatIsNearest) {
   const Rectangle display{0, 0, 1000, 600};
   const auto place = [&](const Rectangle& item, const Rectangle& window) {
-    const Rectangle tip = tooltip_place(item, window, display, 200, 40, 4);
+    const Rectangle tip = tooltip_place({item, window, display}, {200, 40}, 4);
     EXPECT_FALSE(touch(tip, window)) << tip.x << ' ' << tip.y;
     return tip;
   };
@@ -32,7 +32,7 @@ TEST(TooltipPlace, IsBesideTheWindowOfTheItemWhereThatIsNearest) {
 TEST(TooltipPlace, LeavesTheItemFreeWhereItsWindowFillsTheDisplay) {
   const Rectangle display{0, 0, 300, 100};
   const Rectangle item{10, 70, 50, 20};
-  EXPECT_FALSE(touch(tooltip_place(item, display, display, 200, 40, 4), item));
+  EXPECT_FALSE(touch(tooltip_place({item, display, display}, {200, 40}, 4), item));
 }
 
 class TooltipsTest : public testing::Test {
