@@ -19,7 +19,7 @@ class InputFeed {
   /// Tells ImGui which numbers our keys have; once a context.
   static void map_keys(ImGuiIO& io);
 
-  void push(UiEvent event) { queue_.push_back(std::move(event)); }
+  void push(const UiEvent& event) { queue_.push_back(event); }
   bool is_empty() const { return queue_.empty(); }
 
   /// Takes the events of one frame, sets `io` to the state after them, and returns them with

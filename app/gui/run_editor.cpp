@@ -153,7 +153,7 @@ class Session {
   }
 
   void take_events() {
-    for (UiEvent& event : window_.take_events()) ui_.receive(std::move(event));
+    for (const UiEvent& event : window_.take_events()) ui_.receive(event);
     if (window_.take_close_request()) editor_.files().close();
   }
 

@@ -37,8 +37,8 @@ bool fits(const Rectangle& place, const Rectangle& display) {
 Rectangle tooltip_place(const TooltipSite& site, const ImVec2& size, float gap) {
   const auto& [item, surroundings, display] = site;
   const auto [width, height] = size;
-  const auto within = [](float at, float size, float low, float room) {
-    return std::max(low, std::min(at, low + room - size));
+  const auto within = [](float at, float length, float low, float room) {
+    return std::max(low, std::min(at, low + room - length));
   };
   const float x = within(item.x, width, display.x, display.width);
   const float y = within(item.y, height, display.y, display.height);

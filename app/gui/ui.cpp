@@ -181,8 +181,8 @@ void Ui::restore(Editor& editor) const {
   if (settings.layers) editor.view().options().layers = *settings.layers;
 }
 
-void Ui::receive(UiEvent event) {
-  parts_->feed.push(std::move(event));
+void Ui::receive(const UiEvent& event) {
+  parts_->feed.push(event);
   parts_->settling = kSettlingFrames;
 }
 

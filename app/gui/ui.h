@@ -44,7 +44,7 @@ class Ui {
 
   /// Gives an editor in which nothing was opened yet what the user had the last time.
   void restore(Editor& editor) const;
-  void receive(UiEvent event);
+  void receive(const UiEvent& event);
   /// Handles what was received, updates the editor, and draws both.
   void frame(Editor& editor, const FrameSpec& spec);
   /// Seconds until another frame is due though nothing happens; nothing: only when something does.
