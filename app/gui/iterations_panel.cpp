@@ -48,7 +48,7 @@ void draw_header() {
   ImGui::TableSetupScrollFreeze(0, 1);
   number_column("#", "8888");
   ImGui::TableSetupColumn("Phase", ImGuiTableColumnFlags_WidthStretch);
-  number_column("E", "8.88e-8");
+  number_column("E", "8.88e-88");
   number_column("‖P‖²", "8.8e-88");
   number_column("Edges", "8888");
   ImGui::TableHeadersRow();
