@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "app/gui/race_layout.h"
 #include "app/gui/short_text.h"
