@@ -71,8 +71,8 @@ class TransformTool final : public Tool {
       next = take(editor);
       return true;
     }
-    if (event.key == Key::backspace && !text_.empty()) {
-      text_.pop_back();
+    if (event.key == Key::backspace) {
+      if (!text_.empty()) text_.pop_back();
     } else if (const auto character = typed(event.key); character && !event.modifiers.control) {
       text_ += *character;
     } else {

@@ -66,12 +66,15 @@ TEST_F(HandleEdits, ShiftSnapsToFifteenDegrees) {
 }
 
 TEST_F(HandleEdits, ANumberCanBeTyped) {
+  move_round(0);
   key(Key::r);
   type({Key::minus, Key::digit_9, Key::digit_9, Key::backspace, Key::digit_0});
   expect_turned(-90);
   move_round(33);
   expect_turned(-90);
-  key(Key::enter);
+  type({Key::backspace, Key::backspace, Key::backspace, Key::backspace});
+  expect_turned(33);  // by hand again, and no handle is deleted
+  type({Key::minus, Key::digit_9, Key::digit_0, Key::enter});
   EXPECT_FALSE(editor_->draft().is_editing());
   expect_turned(-90);
 
