@@ -35,13 +35,13 @@ void Autosave::begin(UnsavedWork work) {
   });
 }
 
-bool Autosave::write_now(const UnsavedWork& work) {
-  return !root_.empty() && write(work, generation_);
+void Autosave::write_now(const UnsavedWork& work) {
+  if (!root_.empty()) write(work, generation_);
 }
 
-bool Autosave::write(const UnsavedWork& work, std::uint64_t generation) {
+void Autosave::write(const UnsavedWork& work, std::uint64_t generation) {
   const std::lock_guard lock(folder_mutex_);
-  if (generation != generation_) return false;
+  if (generation != generation_) return;
   try {
     if (!folder_) folder_ = AutosaveFolder::create(root_);
     if (origin_ != work.origin) folder_->set_origin(work.origin);
@@ -50,10 +50,8 @@ bool Autosave::write(const UnsavedWork& work, std::uint64_t generation) {
     save_scene(scene_of(work.document, file, work.view), file);
     folder_->trim();
     report({});
-    return true;
   } catch (const std::exception& failure) {
     report(failure.what());
-    return false;
   }
 }
 

@@ -31,13 +31,12 @@ class Autosave {
  public:
   static constexpr double kShortestInterval = 15, kLongestInterval = 3600;  ///< [s]
 
-  /// Copies go to folders in `root`; empty: none are made. `wake` is called on that thread when
-  /// poll() has news.
+  /// Copies go to folders in `root`; empty: none are made. `wake` is called on that thread when a
+  /// copy was written or could not be.
   explicit Autosave(std::filesystem::path root, std::function<void()> wake = {});
 
   /// How long a change may wait for its copy. [s]
   void set_interval(double seconds) { interval_ = seconds; }
-  double interval() const { return interval_; }
 
   /// Whether it is time for a copy by the editor's clock: unsaved work has changed since the last
   /// one, an interval ago. `document` null: nothing is unsaved. Call it in every frame.
@@ -46,8 +45,8 @@ class Autosave {
   std::optional<double> next_wake() const { return due_; }
   /// Begins to write a copy.
   void begin(UnsavedWork work);
-  /// Writes one before it returns. Never throws: false when that fails.
-  bool write_now(const UnsavedWork& work);
+  /// Writes one before it returns. Never throws.
+  void write_now(const UnsavedWork& work);
   /// The work is saved, or is not wanted: removes its copies, after one that is being written.
   void forget();
   /// Goes on in a folder with copies of the present work.
@@ -63,7 +62,7 @@ class Autosave {
     std::uint64_t step = 0;
   };
 
-  bool write(const UnsavedWork& work, std::uint64_t generation);
+  void write(const UnsavedWork& work, std::uint64_t generation);
   void report(std::string problem);
 
   std::filesystem::path root_;

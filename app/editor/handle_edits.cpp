@@ -86,8 +86,9 @@ void send_back(Editor& editor) { shift_depth(editor, "Send back", -1); }
 
 void nudge(Editor& editor, const Vec2& direction) {
   editor.draft().interrupt();
+  if (editor.selection().ids().empty()) return;
+  editor.playback().use_iteration();  // what is looked at is what is nudged
   std::vector<Target> targets = targets_of(editor);
-  if (targets.empty()) return;
   for (Target& target : targets) target.position += nudge_length(editor) * direction;
   editor.draft().solving().clear_timeline();
   editor.draft().edit_again("Nudge", with_targets(editor.document(), targets), Change::targets);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -30,10 +29,6 @@ std::unique_ptr<Tool> make_drag_tool(HandleDrag drag);
 enum class BandMode { replace, add, subtract };
 
 BandMode band_mode(const Modifiers& modifiers);
-
-/// A selection after handles were banded. All are ids.
-std::set<int> changed(const std::set<int>& selection, const std::vector<int>& inside,
-                      BandMode mode);
 
 /// Spans a rectangle from a pixel until the left button is released.
 std::unique_ptr<Tool> make_band_tool(const Vec2& from, BandMode mode);

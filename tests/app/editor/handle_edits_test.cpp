@@ -121,6 +121,19 @@ TEST_F(HandleEdits, ArrowsNudgeByAPixelOfTheScreen) {
   EXPECT_EQ(target(3), before);
 }
 
+TEST_F(HandleEdits, ANudgeOfAnEarlierIterationBeginsThere) {
+  editor_->selection().select({3});
+  drag(pixel_of_handle(3), pixel_of_handle(3) + Vec2(150, -90));
+  settle();
+  ASSERT_GT(editor_->playback().iterations().size(), 1U);
+  editor_->playback().scrub(0);
+  ASSERT_TRUE(editor_->playback().scrubbed());
+  const Points seen = editor_->shown()->deformed;
+  key(Key::right);
+  EXPECT_FALSE(editor_->playback().scrubbed());
+  EXPECT_EQ(editor_->document().pose->deformed, seen);
+}
+
 TEST_F(HandleEdits, KTogglesPinsAndTheKindIsUndone) {
   editor_->selection().select({1, 2});
   key(Key::k);
