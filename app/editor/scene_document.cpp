@@ -75,24 +75,35 @@ Scene scene_of(const Document& document, const std::filesystem::path& file,
   return scene;
 }
 
-json view_json(const Camera& camera, const ViewOptions& options) {
-  json layers = json::array();
+json layers_json(const Layers& layers) {
+  json names = json::array();
   for (const LayerRow& row : kLayerRows)
-    if (options.layers.*row.shown) layers.push_back(row.name);
+    if (layers.*row.shown) names.push_back(row.name);
+  return names;
+}
+
+Layers read_layers(const json& names, const Layers& otherwise) {
+  if (!names.is_array()) return otherwise;
+  Layers layers;
+  for (const LayerRow& row : kLayerRows)
+    layers.*row.shown = std::find(names.begin(), names.end(), json(row.name)) != names.end();
+  return layers;
+}
+
+json view_json(const Camera& camera, const ViewOptions& options) {
   return {{"camera",
            {{"x", camera.centre.x},
             {"y", camera.centre.y},
             {"pixels_per_unit", camera.pixels_per_unit}}},
-          {"layers", std::move(layers)},
+          {"layers", layers_json(options.layers)},
           {"checker_squares", options.checker_squares},
           {"heat_measure", options.heat_measure == HeatMeasure::area ? "area" : "conformal"}};
 }
 
 bool read_view(const json& view, Camera& camera, ViewOptions& options) {
   if (!view.is_object()) return false;
-  if (const auto it = view.find("layers"); it != view.end() && it->is_array())
-    for (const LayerRow& row : kLayerRows)
-      options.layers.*row.shown = std::find(it->begin(), it->end(), json(row.name)) != it->end();
+  if (const auto it = view.find("layers"); it != view.end())
+    options.layers = read_layers(*it, options.layers);
   if (const auto squares = number(view, "checker_squares", 1, 1e4))
     options.checker_squares = *squares;
   if (const auto it = view.find("heat_measure"); it != view.end())

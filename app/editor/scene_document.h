@@ -21,6 +21,11 @@ Document document_of(const Scene& scene, const std::filesystem::path& file);
 Scene scene_of(const Document& document, const std::filesystem::path& file,
                std::shared_ptr<const nlohmann::json> view);
 
+/// The names of the layers that are on, as an array.
+nlohmann::json layers_json(const Layers& layers);
+/// The layers that an array names; those of `otherwise` where it is none.
+Layers read_layers(const nlohmann::json& names, const Layers& otherwise);
+
 /// Camera and what is drawn, as a scene file keeps them. Theme and scale of the interface are the
 /// user's, not the scene's, and left out.
 nlohmann::json view_json(const Camera& camera, const ViewOptions& options);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/editor/autosave.h"
+#include "app/editor/scene_document.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 
@@ -48,20 +49,6 @@ struct Reader {
   }
 };
 
-Layers layers_named(const std::vector<std::string>& names) {
-  Layers layers;
-  for (const LayerRow& row : kLayerRows)
-    layers.*row.shown = std::ranges::find(names, row.name) != names.end();
-  return layers;
-}
-
-std::vector<std::string> names_of(const Layers& layers) {
-  std::vector<std::string> names;
-  for (const LayerRow& row : kLayerRows)
-    if (layers.*row.shown) names.emplace_back(row.name);
-  return names;
-}
-
 }  // namespace
 
 std::filesystem::path settings_file(const std::filesystem::path& state_folder) {
@@ -86,7 +73,7 @@ Settings load_settings(const std::filesystem::path& file) {
   if (read.find("pace")) read.number("pace", settings.pace.emplace(1), 1, 60);
   for (const std::string& title : read.texts("closed_sections"))
     settings.closed_sections.insert(title);
-  if (read.find("layers")) settings.layers = layers_named(read.texts("layers"));
+  if (const auto* layers = read.find("layers")) settings.layers = read_layers(*layers, {});
   return settings;
 }
 
@@ -102,7 +89,7 @@ void save_settings(const std::filesystem::path& file, const Settings& settings) 
                       {"maximised", settings.is_maximised},
                       {"autosave_seconds", settings.autosave_seconds}};
   if (settings.pace) json["pace"] = *settings.pace;
-  if (settings.layers) json["layers"] = names_of(*settings.layers);
+  if (settings.layers) json["layers"] = layers_json(*settings.layers);
   try {
     write_file_atomically(file, json.dump(2) + "\n");
   } catch (const Error&) {
