@@ -22,9 +22,9 @@ fs::path folder_of_executable() {
 
 fs::path data_path(std::string_view relative) {
   const char* chosen = std::getenv("FOLDLESS_DATA_DIR");
-  const std::array<fs::path, 3> roots{chosen ? fs::path(chosen) : fs::path(),
+  const std::array<fs::path, 4> roots{chosen ? fs::path(chosen) : fs::path(),
                                       folder_of_executable() / "../share/foldless",
-                                      fs::path(FOLDLESS_SOURCE_DIR)};
+                                      fs::path(FOLDLESS_SOURCE_DIR), fs::path(FOLDLESS_BUILT_DATA)};
   for (const fs::path& root : roots) {
     if (root.empty()) continue;
     std::error_code unreadable;

@@ -21,6 +21,12 @@ run(0 ${PROGRAM} solve ${DATA}/assets/scenes/figure3_flipped_edges.json -o ${OUT
 run(0 ${PROGRAM} check ${OUT}/rest.obj ${OUT}/deformed.obj)
 run(0 ${PROGRAM} render ${OUT} -o ${OUT}/picture.png)
 
+foreach(font Inter-Regular.otf Inter-SemiBold.otf DejaVuSans.ttf)
+  if(NOT EXISTS ${DATA}/fonts/${font})
+    message(FATAL_ERROR "the font ${font} is not installed beside the program")
+  endif()
+endforeach()
+
 # The shaders are those beside the program, not those of the source tree: spoil them and see.
 file(GLOB shaders ${DATA}/shaders/*)
 foreach(shader IN LISTS shaders)

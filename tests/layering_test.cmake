@@ -83,13 +83,14 @@ may_include("render/.*" "${PLAIN}|${RENDER_OF_CORE}|render/.*|${GRAPHICS}|${IMAG
 set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|image|texture_levels|view_options)\\.h|app/editor/.*")
 may_include("app/editor/.*" "${EDITOR}")
 may_include("app/export/.*" "${BASE}|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
-may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|app/exit_status\\.h|<(glad/gl|imgui.*|GLFW/glfw3)\\.h>")
+may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|app/exit_status\\.h|<(glad/gl|imgui.*|GLFW/glfw3|fontconfig/.*)\\.h>")
 may_include("app/bench/.*" "${BASE}|core/.*|app/(bench|export)/.*")
 may_include("app/cli[^/]*" "${BASE}|<CLI/CLI\\.hpp>|core/.*|render/.*|app/(bench|export)/.*|app/(cli.*|exit_status\\.h)")
 
 # 1. Libraries that one place alone sees.
 only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
 only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui belongs to app/gui")
+only_in("app/gui/fallback_fonts\\.cpp" "<fontconfig/" "fontconfig belongs to fallback_fonts")
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
 only_in("core/linear/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
         "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")

@@ -38,6 +38,8 @@ class FileBrowser {
   /// Asks the last request again, with the name as it was: the file could not be written. Says why.
   void ask_again(const std::string& problem);
   bool is_open() const { return is_open_; }
+  /// The folder that it shows, or showed last.
+  const DirectoryListing& listing() const { return listing_; }
   void draw(const Look& look);
 
  private:

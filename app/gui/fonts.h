@@ -3,8 +3,8 @@
 
 #include <imgui.h>
 
-#include <filesystem>
-#include <optional>
+#include <set>
+#include <span>
 
 namespace foldless {
 
@@ -16,12 +16,14 @@ struct Fonts {
   ImFont* title = nullptr;  ///< name of a dialog
 };
 
-/// The installed file of Inter (or DejaVu Sans) for that weight, `Regular` or `SemiBold`; nothing
-/// when neither font is installed.
-std::optional<std::filesystem::path> find_interface_font(bool semi_bold);
+/// The characters of the interface's own words, which all of its fonts have: first and last of each
+/// range, ended by 0 as ImGui wants it.
+std::span<const ImWchar> interface_ranges();
 
 /// Rasterises the fonts for `scale` framebuffer pixels a design pixel into the current context's
-/// atlas, in place of what was there. Falls back on ImGui's own font. The caller uploads the atlas.
-Fonts build_fonts(float scale);
+/// atlas, in place of what was there, with the characters of the interface and `more`, as far as a
+/// font has them. The caller uploads the atlas. Throws Error when the fonts that are installed
+/// beside the program are missing.
+Fonts build_fonts(float scale, const std::set<char32_t>& more);
 
 }  // namespace foldless

@@ -8,11 +8,13 @@
 #include <cmath>
 #include <utility>
 
+#include "app/gui/appearance.h"
 #include "app/gui/canvas_input.h"
 #include "app/gui/canvas_overlay.h"
 #include "app/gui/canvas_picture.h"
 #include "app/gui/dialog_keys.h"
 #include "app/gui/input_feed.h"
+#include "app/gui/names_on_screen.h"
 #include "app/gui/panels.h"
 #include "app/gui/preview.h"
 #include "app/gui/race_layout.h"
@@ -48,15 +50,6 @@ struct ImGuiOwner {
   ImGuiOwner& operator=(const ImGuiOwner&) = delete;
 };
 
-const Palette& palette_of(Theme theme) {
-  switch (theme) {
-    case Theme::light: return light_palette();
-    case Theme::contrast: return contrast_palette();
-    case Theme::dark: break;
-  }
-  return dark_palette();
-}
-
 }  // namespace
 
 struct Ui::Parts {
@@ -69,8 +62,8 @@ struct Ui::Parts {
   UiState state;
   Settings known_settings;            ///< of the last frame
   std::optional<double> saves_after;  ///< when they are to be written [s]
-  Look look;
   Tooltips tooltips;
+  Appearance appearance{ui_renderer, tooltips};
   Layout layout;
   std::string clipboard;  ///< keeps the text alive that ImGui was given
   double time = 0;
@@ -79,7 +72,7 @@ struct Ui::Parts {
   bool scale_changed = false;  ///< the canvas shrank or grew under the drawing
 
   void connect_clipboard();
-  void follow_scale(const FrameSpec& spec);
+  void follow_appearance(const Editor& editor, float content_scale);
   void follow_settings();
   void remember(const Editor& editor);
   void save();
@@ -92,6 +85,7 @@ void Ui::Parts::connect_clipboard() {
   io.GetClipboardTextFn = [](void* user) {
     auto& parts = *static_cast<Parts*>(user);
     if (parts.options.clipboard) parts.clipboard = parts.options.clipboard();
+    parts.appearance.glyphs().need(parts.clipboard);
     return parts.clipboard.c_str();
   };
   io.SetClipboardTextFn = [](void* user, const char* text) {
@@ -101,18 +95,11 @@ void Ui::Parts::connect_clipboard() {
   };
 }
 
-void Ui::Parts::follow_scale(const FrameSpec& spec) {
-  const auto scale = spec.content_scale * static_cast<float>(state.settings.scale);
-  const Palette& palette = palette_of(state.settings.theme);
-  if (scale == look.scale && &palette == look.palette && look.fonts.text) return;
-  if (scale != look.scale || !look.fonts.text) {
-    scale_changed = look.fonts.text != nullptr;
-    look.fonts = build_fonts(scale);
-    ui_renderer.upload_fonts(*ImGui::GetIO().Fonts);
-  }
-  look.scale = scale;
-  look.palette = &palette;
-  apply_theme(palette, scale);
+void Ui::Parts::follow_appearance(const Editor& editor, float content_scale) {
+  need_names(appearance.glyphs(), editor, state);
+  const auto change = appearance.follow(state.settings, content_scale);
+  if (change == Appearance::Change::none) return;
+  if (change == Appearance::Change::scale) scale_changed = true;
   settling = kSettlingFrames;
 }
 
@@ -166,7 +153,6 @@ Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
   InputFeed::map_keys(io);
   parts_->connect_clipboard();
-  parts_->look.tooltips = &parts_->tooltips;
   if (!parts_->options.state_folder.empty())
     parts_->state.settings = load_settings(settings_file(parts_->options.state_folder));
   parts_->known_settings = parts_->state.settings;
@@ -183,6 +169,8 @@ void Ui::restore(Editor& editor) const {
 
 void Ui::receive(const UiEvent& event) {
   parts_->feed.push(event);
+  if (const auto* typed = std::get_if<CharacterTyped>(&event))
+    parts_->appearance.glyphs().need(typed->code_point);
   parts_->settling = kSettlingFrames;
 }
 
@@ -220,10 +208,11 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
 
 void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   Parts& p = *parts_;
-  p.follow_scale(spec);
+  p.follow_appearance(editor, spec.content_scale);
   const bool has_race = editor.race().is_open();
-  p.layout = layout_for(spec.framebuffer, p.look.scale, p.state.settings.shows_panels && !has_race);
-  if (editor.view().remesh_diff().is_shown() && !has_race) split_canvas(p.layout, p.look.scale);
+  const float scale = p.appearance.look().scale;
+  p.layout = layout_for(spec.framebuffer, scale, p.state.settings.shows_panels && !has_race);
+  if (editor.view().remesh_diff().is_shown() && !has_race) split_canvas(p.layout, scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(spec.framebuffer.width),
                     static_cast<float>(spec.framebuffer.height)};
@@ -234,14 +223,15 @@ void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
 /// What a race covers keeps its size and its view.
 void Ui::resize(Editor& editor) {
   Parts& p = *parts_;
+  const float scale = p.appearance.look().scale;
   if (editor.race().is_open()) {
-    const auto lanes = race_layout_for(p.layout.canvas, editor.race().lanes().size(), p.look.scale);
+    const auto lanes = race_layout_for(p.layout.canvas, editor.race().lanes().size(), scale);
     const Rectangle& view = lanes.lanes.front().view;
-    editor.race().resize(static_cast<int>(view.width), static_cast<int>(view.height), p.look.scale);
+    editor.race().resize(static_cast<int>(view.width), static_cast<int>(view.height), scale);
     return;
   }
   editor.view().resize(static_cast<int>(p.layout.canvas.width),
-                       static_cast<int>(p.layout.canvas.height), p.look.scale);
+                       static_cast<int>(p.layout.canvas.height), scale);
   if (std::exchange(p.scale_changed, false)) editor.view().fit_all();
 }
 
@@ -256,7 +246,7 @@ void Ui::route(Editor& editor, const std::vector<UiEvent>& events, double time) 
 
 void Ui::draw_panels(Editor& editor) {
   Parts& p = *parts_;
-  const PanelContext context{p.state, p.look, p.layout};
+  const PanelContext context{p.state, p.appearance.look(), p.layout};
   if (const auto preview = preview_of(editor)) {
     draw_preview_overlay(*preview, context);
   } else if (editor.race().is_open()) {
