@@ -17,6 +17,7 @@
 #include "core/mesh/orientation.h"
 #include "core/method/satisfied.h"
 #include "core/run/active_part.h"
+#include "core/run/followers.h"
 #include "core/scene/json_node.h"
 
 namespace foldless {
@@ -129,10 +130,12 @@ void add_handles(const Scene& scene, const MeshFiles& files, Line& line) {
   if (deformed.cols() < expected)
     throw Error("the meshes have " + std::to_string(deformed.cols()) +
                 " vertices, but the scene needs " + std::to_string(expected));
-  const Constraints positions = constraints_of(scene.handles);
+  const Followers followers(scene.triangles, files.rest.points, scene.handles);
+  const std::vector<Handle> held = followers.with_followers(scene.handles);
+  const Constraints positions = constraints_of(held);
   const double error = handle_error_squared(positions, deformed);
   double largest = 0;
-  for (const Handle& handle : scene.handles)
+  for (const Handle& handle : held)
     if (handle.kind != HandleKind::soft)
       largest = std::max(largest, (deformed.col(handle.vertex) - handle.target).norm());
   const double diagonal = active_diagonal(files.rest.triangles, files.rest.points, scene.handles);

@@ -84,6 +84,9 @@ JsonNode handles_node(const std::vector<Handle>& handles) {
       object.emplace_back("kind", node_of(handle_kind_name(handle.kind)));
     if (handle.kind == HandleKind::soft) object.emplace_back("weight", node_of(handle.weight));
     if (handle.depth != 0) object.emplace_back("depth", node_of(handle.depth));
+    if (handle.turn) object.emplace_back("angle", node_of(handle.turn->angle));
+    if (handle.turn) object.emplace_back("radius", node_of(handle.turn->radius));
+    if (!handle.name.empty()) object.emplace_back("name", node_of(handle.name));
     array.push_back({std::move(object)});
   }
   return {std::move(array)};

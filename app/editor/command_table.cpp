@@ -5,6 +5,7 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/handle_edits.h"
+#include "app/editor/turning.h"
 
 namespace foldless {
 namespace {
@@ -166,7 +167,7 @@ std::vector<Command> edit_commands() {
 std::vector<Command> handle_commands() {
   return {
       {"handle.pin", "Handles", "Pin or drag", {{Key::k, kNone}}, has_selection, toggle_pin},
-      {"handle.turn", "Handles", "Turn", {{Key::r, kNone}}, has_several, begin<Transformation::turn>},
+      {"handle.turn", "Handles", "Turn", {{Key::r, kNone}}, has_selection, begin<Transformation::turn>},
       {"handle.scale", "Handles", "Scale", {{Key::s, kNone}}, has_several, begin<Transformation::scale>},
       nudging("handle.left", "Nudge left", Key::left, [](Editor& e) { nudge(e, {-1, 0}); }),
       nudging("handle.right", "Nudge right", Key::right, [](Editor& e) { nudge(e, {1, 0}); }),

@@ -9,6 +9,7 @@
 #include "core/energy/densities.h"
 #include "core/method/satisfied.h"
 #include "core/run/active_part.h"
+#include "core/run/followers.h"
 #include "core/run/original_edges.h"
 
 namespace foldless {
@@ -125,8 +126,10 @@ double target_tolerance(const Document& document) {
 
 bool is_at_targets(const Document& document) {
   if (document.handles.empty()) return true;
-  const double error =
-      handle_error_squared(constraints_of(document.handles), document.pose->deformed);
+  const Points& rest = *document.pose->rest;
+  const Followers followers(document.original->triangles, rest, document.handles);
+  const double error = handle_error_squared(
+      constraints_of(followers.with_followers(document.handles)), document.pose->deformed);
   if (error == 0) return true;  // without a look at the mesh
   const double tolerance = target_tolerance(document);
   return error <= tolerance * tolerance;

@@ -75,7 +75,7 @@ Vec2 position_of(const Document& document, const Handle& handle);
 
 /// A handle counts as at its target within this distance. [length]
 double target_tolerance(const Document& document);
-/// True when every handle that is not soft is at its target.
+/// True when every handle that is not soft is at its target, and what turns with it.
 bool is_at_targets(const Document& document);
 
 /// True when both would be written to the same scene file: mesh, pose, handles, energy,

@@ -20,18 +20,8 @@ void DocumentEdits::delete_selected() {
   draft_.commit(selected.size() == 1 ? "Delete handle" : "Delete handles");
 }
 
-void DocumentEdits::change_selected(const std::string& label,
+void DocumentEdits::change_selected(const std::string& label, Change what,
                                     const std::function<void(Handle&)>& change) {
-  change_handles(label, change, Change::appearance);
-}
-
-void DocumentEdits::change_selected_constraints(const std::string& label,
-                                                const std::function<void(Handle&)>& change) {
-  change_handles(label, change, Change::mesh);
-}
-
-void DocumentEdits::change_handles(const std::string& label,
-                                   const std::function<void(Handle&)>& change, Change what) {
   draft_.interrupt();
   const auto changed = [&](std::vector<Handle> handles) {
     for (Handle& handle : handles)
@@ -42,6 +32,7 @@ void DocumentEdits::change_handles(const std::string& label,
   draft_.begin_edit();
   Document document = draft_.document();  // with the handles of the iteration that is shown, if any
   document.handles = changed(std::move(document.handles));
+  if (what == Change::targets) draft_.solving().clear_timeline();
   draft_.apply(std::move(document), what);
   draft_.commit(label);
 }

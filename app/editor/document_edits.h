@@ -17,11 +17,9 @@ class DocumentEdits {
   explicit DocumentEdits(Draft& draft) : draft_(draft) {}
 
   void delete_selected();
-  /// Changes what the solver does not see of the selected handles.
-  void change_selected(const std::string& label, const std::function<void(Handle&)>& change);
-  /// Changes of them what the solver sees.
-  void change_selected_constraints(const std::string& label,
-                                   const std::function<void(Handle&)>& change);
+  /// Changes the selected handles; `what` says what the solver sees of it.
+  void change_selected(const std::string& label, Change what,
+                       const std::function<void(Handle&)>& change);
   void reset_pose();
   void set_energy(const Density& energy);
   void set_method(std::string_view name);
@@ -30,9 +28,6 @@ class DocumentEdits {
   void reset_parameter(const ParameterRow& row);
 
  private:
-  void change_handles(const std::string& label, const std::function<void(Handle&)>& change,
-                      Change what);
-
   Draft& draft_;
 };
 

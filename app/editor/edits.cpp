@@ -63,7 +63,10 @@ Placed place_handle(const Document& document, const MeshHit& hit) {
 Document with_targets(Document document, const std::vector<Target>& targets) {
   for (const Target& target : targets)
     for (Handle& handle : document.handles)
-      if (handle.id == target.id) handle.target = target.position;
+      if (handle.id == target.id) {
+        handle.target = target.position;
+        if (handle.turn && target.angle) handle.turn->angle = *target.angle;
+      }
   return document;
 }
 
@@ -82,6 +85,7 @@ Document in_rest_pose(const Document& document) {
       handle.vertex =
           vertex_at_rest(mesh, document.pose->rest->col(handle.vertex), document.parameters.delta);
     handle.target = mesh.deformed().col(handle.vertex);
+    if (handle.turn) handle.turn->angle = 0;
     if (!handle_at_vertex(at_rest, handle.vertex)) at_rest.handles.push_back(handle);
   }
   at_rest.pose = pose_of(mesh, original);

@@ -24,9 +24,10 @@ Placed place_handle(const Document& document, const MeshHit& hit);
 struct Target {
   int id = 0;
   Vec2 position = Vec2::Zero();
+  std::optional<double> angle = std::nullopt;  ///< of its Turn, if that changes [degrees]
 };
 
-/// The document with some targets moved; ids it does not have are passed over.
+/// The document with some targets moved and turned; ids it does not have are passed over.
 Document with_targets(Document document, const std::vector<Target>& targets);
 
 /// The document without some handles. The mesh stays as it is.

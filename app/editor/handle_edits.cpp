@@ -23,16 +23,9 @@ void agree(std::optional<Value>& common, const Value& value, bool is_first) {
 }
 
 void shift_depth(Editor& editor, const char* label, double by) {
-  editor.edits().change_selected(label, [by](Handle& handle) {
+  editor.edits().change_selected(label, Change::appearance, [by](Handle& handle) {
     handle.depth = std::clamp(handle.depth + by, -kMostDepth, kMostDepth);
   });
-}
-
-std::vector<Target> targets_of(const Editor& editor) {
-  std::vector<Target> targets;
-  for (const Handle& handle : editor.document().handles)
-    if (editor.selection().ids().contains(handle.id)) targets.push_back({handle.id, handle.target});
-  return targets;
 }
 
 double nudge_length(const Editor& editor) {
@@ -53,17 +46,33 @@ SelectedHandles selected_handles(const Editor& editor) {
     agree(selected.kind, handle.kind, is_first);
     agree(selected.weight, handle.weight, is_first);
     agree(selected.depth, handle.depth, is_first);
+    agree(selected.name, handle.name, is_first);
+    agree(selected.x, handle.target.x(), is_first);
+    agree(selected.y, handle.target.y(), is_first);
+    agree(selected.turns, handle.turn.has_value(), is_first);
+    agree(selected.angle, handle.turn.value_or(Turn{}).angle, is_first);
+    agree(selected.radius, handle.turn.value_or(Turn{}).radius, is_first);
   }
   return selected;
 }
 
+std::vector<Target> selected_targets(const Editor& editor) {
+  std::vector<Target> targets;
+  for (const Handle& handle : editor.document().handles) {
+    if (!editor.selection().ids().contains(handle.id)) continue;
+    targets.push_back({handle.id, handle.target});
+    if (handle.turn) targets.back().angle = handle.turn->angle;
+  }
+  return targets;
+}
+
 void set_kind(Editor& editor, HandleKind kind) {
-  editor.edits().change_selected_constraints("Kind of handle",
-                                             [kind](Handle& handle) { handle.kind = kind; });
+  editor.edits().change_selected("Kind of handle", Change::mesh,
+                                 [kind](Handle& handle) { handle.kind = kind; });
 }
 
 void toggle_pin(Editor& editor) {
-  editor.edits().change_selected_constraints("Pin or drag", [](Handle& handle) {
+  editor.edits().change_selected("Pin or drag", Change::mesh, [](Handle& handle) {
     handle.kind = handle.kind == HandleKind::pin ? HandleKind::drag : HandleKind::pin;
   });
 }
@@ -71,14 +80,26 @@ void toggle_pin(Editor& editor) {
 void set_weight(Editor& editor, double weight) {
   if (!std::isfinite(weight)) return;
   weight = std::clamp(weight, kLeastWeight, kMostWeight);
-  editor.edits().change_selected_constraints("Weight",
-                                             [weight](Handle& handle) { handle.weight = weight; });
+  editor.edits().change_selected("Weight", Change::mesh,
+                                 [weight](Handle& handle) { handle.weight = weight; });
 }
 
 void set_depth(Editor& editor, double depth) {
   if (!std::isfinite(depth)) return;
   depth = std::clamp(depth, -kMostDepth, kMostDepth);
-  editor.edits().change_selected("Depth", [depth](Handle& handle) { handle.depth = depth; });
+  editor.edits().change_selected("Depth", Change::appearance,
+                                 [depth](Handle& handle) { handle.depth = depth; });
+}
+
+void set_name(Editor& editor, const std::string& name) {
+  editor.edits().change_selected("Name", Change::appearance,
+                                 [&](Handle& handle) { handle.name = name; });
+}
+
+void set_coordinate(Editor& editor, int axis, double value) {
+  if (!std::isfinite(value)) return;
+  editor.edits().change_selected("Move handles", Change::targets,
+                                 [=](Handle& handle) { handle.target[axis] = value; });
 }
 
 void bring_forward(Editor& editor) { shift_depth(editor, "Bring forward", 1); }
@@ -88,18 +109,10 @@ void nudge(Editor& editor, const Vec2& direction) {
   editor.draft().interrupt();
   if (editor.selection().ids().empty()) return;
   editor.playback().use_iteration();  // what is looked at is what is nudged
-  std::vector<Target> targets = targets_of(editor);
+  std::vector<Target> targets = selected_targets(editor);
   for (Target& target : targets) target.position += nudge_length(editor) * direction;
   editor.draft().solving().clear_timeline();
   editor.draft().edit_again("Nudge", with_targets(editor.document(), targets), Change::targets);
-}
-
-void begin_transformation(Editor& editor, Transformation what) {
-  editor.draft().interrupt();
-  if (editor.selection().ids().size() < 2) return;
-  editor.draft().begin_edit();
-  editor.draft().solving().clear_timeline();
-  editor.input().begin(make_transform_tool(what, editor.input().pointer(), targets_of(editor)));
 }
 
 }  // namespace foldless

@@ -11,7 +11,7 @@ std::vector<HandleView> handle_views(const Draft& draft) {
   const Selection& selection = draft.selection();
   const double tolerance = target_tolerance(draft.document());
   for (const Handle& handle : draft.shown()->handles) {
-    HandleView view{handle.id, handle.vertex, handle.kind};
+    HandleView view{handle.id, handle.vertex, handle.kind, handle.name};
     view.position = draft.shown()->deformed.col(handle.vertex);
     view.target = handle.target;
     view.residual = (view.target - view.position).norm();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/mesh/triangle.h"
@@ -15,6 +16,7 @@ struct HandleView {
   int id = 0;
   int vertex = 0;
   HandleKind kind = HandleKind::drag;
+  std::string name;              ///< may be empty
   Vec2 position = Vec2::Zero();  ///< where it is
   Vec2 target = Vec2::Zero();    ///< where it should be
   double residual = 0;           ///< distance between the two [length]

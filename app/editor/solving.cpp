@@ -13,6 +13,13 @@ Points targets_of(const Document& document) {
   return targets;
 }
 
+std::vector<double> angles_of(const Document& document) {
+  std::vector<double> angles;
+  for (const Handle& handle : document.handles)
+    angles.push_back(handle.turn.value_or(Turn{}).angle);
+  return angles;
+}
+
 }  // namespace
 
 Solving::Solving(std::function<void()> wake) : worker_(std::move(wake)) {}
@@ -44,7 +51,7 @@ void Solving::load(const Document& document) {
 
 void Solving::move_targets(const Document& document) {
   if (!loaded_) return start(document);
-  worker_.set_targets(targets_of(document));
+  worker_.set_targets(targets_of(document), angles_of(document));
   stopped_ = false;
   status_.state = WorkerState::running;
   if (!paused_) worker_.run();

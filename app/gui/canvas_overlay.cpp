@@ -7,22 +7,13 @@
 #include <string>
 
 #include "app/editor/picking.h"
+#include "app/gui/canvas_brush.h"
 #include "app/gui/side_dialog.h"
 #include "app/gui/widgets.h"
 #include "core/mesh/triangle.h"
 
 namespace foldless {
 namespace {
-
-/// Draws on the canvas, under all panels, in its pixels.
-struct CanvasBrush {
-  ImDrawList& list;
-  const Rectangle& canvas;
-
-  ImVec2 at(const Vec2& pixel) const {
-    return {canvas.x + static_cast<float>(pixel.x()), canvas.y + static_cast<float>(pixel.y())};
-  }
-};
 
 /// Black on white can be seen on every colour.
 void draw_band(const PixelBox& band, const CanvasBrush& brush, const Look& look) {
@@ -38,19 +29,6 @@ void draw_lasso(const std::vector<Vec2>& line, const CanvasBrush& brush, const L
   const int count = static_cast<int>(points.size());
   brush.list.AddPolyline(points.data(), count, IM_COL32_WHITE, ImDrawFlags_Closed, look.px(3));
   brush.list.AddPolyline(points.data(), count, IM_COL32_BLACK, ImDrawFlags_Closed, look.px(1));
-}
-
-/// Text on a plate of its own, readable over a checkerboard; `middle` is its centre.
-void draw_plate(const std::string& words, const ImVec2& middle, const CanvasBrush& brush,
-                const Look& look) {
-  ImFont* font = look.fonts.small;
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, words.c_str(), nullptr);
-  const ImVec2 corner{middle.x - size.x / 2, middle.y - size.y / 2};
-  const float margin = look.px(4);
-  brush.list.AddRectFilled({corner.x - margin, corner.y - look.px(2)},
-                           {corner.x + size.x + margin, corner.y + size.y + look.px(2)},
-                           packed(look.palette->popup, 0.92F), look.px(4));
-  brush.list.AddText(font, font->FontSize, corner, packed(look.palette->text), words.c_str());
 }
 
 std::string short_number(double value) {
@@ -202,6 +180,7 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   list.PushClipRect({canvas.x, canvas.y}, {canvas.x + canvas.width, canvas.y + canvas.height});
   draw_heat_notes(editor, context, brush);
   if (editor.view().shown_options().layers.handles) draw_distances(editor, brush, context.look);
+  if (!editor.view().are_overlays_hidden()) draw_handle_notes(editor, brush, context);
   if (!editor.draft().is_editing() && !editor.view().are_overlays_hidden() &&
       !editor.view().remesh_diff().is_shown())
     draw_description(editor.document().description, context);

@@ -29,6 +29,7 @@ void need_names(Glyphs& glyphs, const Editor& editor, const UiState& state) {
   glyphs.need(document.texture.native());
   glyphs.need(editor.files().path().native());
   for (const auto& path : editor.files().recent()) glyphs.need(path.native());
+  for (const Handle& handle : document.handles) glyphs.need(handle.name);
   for (const Toast& toast : editor.messages().toasts()) glyphs.need(toast.text);
   need_recovery(glyphs, editor.files().recovery());
   need_browser(glyphs, state.browser);

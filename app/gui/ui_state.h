@@ -33,6 +33,7 @@ struct UiState {
   std::filesystem::path last_folder;    ///< where the last file was opened or saved
   Modifiers modifiers;                  ///< held now
   std::optional<Vec2> pointer;          ///< on the canvas, framebuffer pixels
+  std::string handle_search;            ///< in the list of handles
   std::optional<HeatRange> heat_range;  ///< of the heat map on screen
   std::optional<double> hovered_heat;   ///< its value under the pointer
 };

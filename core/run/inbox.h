@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/method/method.h"
 
@@ -23,9 +24,14 @@ struct Inbox {
     Parameters parameters;
   };
 
+  struct Targets {
+    Points positions;
+    std::vector<double> angles;
+  };
+
   std::optional<Load> load;
   std::optional<Settings> settings;
-  std::optional<Points> targets;
+  std::optional<Targets> targets;
   std::optional<WorkerMode> mode;
   bool step = false;  ///< one iteration in spite of the mode
   std::optional<std::optional<double>> pace;

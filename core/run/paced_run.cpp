@@ -53,7 +53,8 @@ void PacedRun::change_run(const Inbox& messages) {
     problem.parameters = messages.settings->parameters;
     run_.emplace(problem, generation_, start_);
   }
-  if (run_ && messages.targets) run_->set_targets(*messages.targets);
+  if (run_ && messages.targets)
+    run_->set_targets(messages.targets->positions, messages.targets->angles);
 }
 
 bool PacedRun::can_iterate() const {

@@ -54,8 +54,9 @@ Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& 
       parameters_(problem.parameters),
       handles_(problem.handles),
       original_(original_of(problem)),
+      followers_(*original_.triangles, problem.mesh.rest(), handles_),
       diagonal_(active_diagonal(problem.mesh.triangles(), problem.mesh.rest(), problem.handles)) {
-  Problem begun = problem;
+  Problem begun = with_followers(problem);
   begun.original = original_;
   publisher_.emplace(begun, generation);
   snapshot_ = valid_ = with_handles(*publisher_->first());
@@ -82,22 +83,32 @@ std::optional<Iteration> Run::step(const std::stop_token& token) {
 
 bool Run::is_satisfied() const {
   if (!snapshot_->is_valid()) return false;
-  const double error = handle_error_squared(constraints_of(handles_), snapshot_->deformed);
+  const double error = handle_error_squared(constraints_of(followers_.with_followers(handles_)),
+                                            snapshot_->deformed);
   return error <= kSatisfied * diagonal_ * diagonal_;
 }
 
-void Run::set_targets(const Points& targets) {
-  for (std::size_t i = 0; i < handles_.size(); ++i)
+void Run::set_targets(const Points& targets, const std::vector<double>& angles) {
+  for (std::size_t i = 0; i < handles_.size(); ++i) {
     handles_[i].target = targets.col(static_cast<Eigen::Index>(i));
+    if (handles_[i].turn && i < angles.size()) handles_[i].turn->angle = angles[i];
+  }
   const bool goes_on = snapshot_->is_valid();
   snapshot_ = valid_ = with_handles(*valid_);
   if (!method_) return;
   if (goes_on) {
-    method_->set_targets(normalisation().to_unit(targets));
+    const Points all = constraints_of(followers_.with_followers(handles_)).targets;
+    method_->set_targets(normalisation().to_unit(all));
     return;
   }
-  publisher_.emplace(resumed(), valid_->generation);
-  method_ = start_method_(publisher_->part_of(resumed()));
+  const Problem problem = with_followers(resumed());
+  publisher_.emplace(problem, valid_->generation);
+  method_ = start_method_(publisher_->part_of(problem));
+}
+
+Problem Run::with_followers(Problem problem) const {
+  problem.handles = followers_.with_followers(handles_);
+  return problem;
 }
 
 std::shared_ptr<const Snapshot> Run::with_handles(const Snapshot& snapshot) const {

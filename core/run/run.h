@@ -11,6 +11,7 @@
 
 #include "core/method/method.h"
 #include "core/method/normalisation.h"
+#include "core/run/followers.h"
 #include "core/run/publisher.h"
 #include "core/snapshot.h"
 
@@ -22,9 +23,9 @@ using MethodStarter = std::function<std::unique_ptr<Method>(const Problem& probl
 /// Starts the method that the problem's parameters name. Throws Error when there is none.
 std::unique_ptr<Method> start_method(const Problem& problem);
 
-/// A method on a problem in input units: it solves the active part, normalised, and a Publisher
-/// makes proved snapshots of what it reaches. Where nothing is active the run has ended before it
-/// began. Not thread-safe: one thread at a time may call it.
+/// A method on a problem in input units: it solves the active part, normalised, with the Followers
+/// of its handles, and a Publisher makes proved snapshots of what it reaches. Where nothing is
+/// active the run has ended before it began. Not thread-safe: one thread at a time may call it.
 class Run {
  public:
   /// Throws Error when the method is unknown, or when the problem's mesh is not locally injective
@@ -42,13 +43,14 @@ class Run {
   std::optional<Outcome> outcome() const;
   /// One sentence on that end where the outcome does not say it all; may be empty.
   std::string verdict() const { return method_ ? method_->verdict() : ""; }
-  /// True when snapshot() is valid and has every handle that is not soft at its target:
-  /// ‖P‖² ≤ 1e-10 D², D of the active part.
+  /// True when snapshot() is valid and has every handle that is not soft at its target, and its
+  /// followers: ‖P‖² ≤ 1e-10 D², D of the active part.
   bool is_satisfied() const;
 
-  /// Moves the targets, in the order of the problem's handles (input units, 2 × #handles). From a
+  /// Moves the targets, in the order of the problem's handles (input units, 2 × #handles), and
+  /// turns those that turn (degrees, an entry a handle; empty: they stay as they are). From a
   /// folded map the run begins anew at the last valid one.
-  void set_targets(const Points& targets);
+  void set_targets(const Points& targets, const std::vector<double>& angles = {});
   const std::vector<Handle>& handles() const { return handles_; }
 
   /// The last state that was published, with the newest targets; never null. It is valid in input
@@ -63,12 +65,14 @@ class Run {
 
  private:
   std::shared_ptr<const Snapshot> with_handles(const Snapshot& snapshot) const;
+  Problem with_followers(Problem problem) const;
 
   const MethodStarter start_method_;
   const Density* energy_;
   Parameters parameters_;
   std::vector<Handle> handles_;
   OriginalMesh original_;
+  Followers followers_;
   double diagonal_;  ///< D, input units
   std::optional<Publisher> publisher_;
   std::unique_ptr<Method> method_;  ///< null where nothing can move

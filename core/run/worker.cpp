@@ -52,8 +52,10 @@ std::uint64_t Worker::load(Problem problem) {
   return generation;
 }
 
-void Worker::set_targets(Points targets) {
-  post(Mailbox::Cancels::once, [&](Inbox& inbox) { inbox.targets = std::move(targets); });
+void Worker::set_targets(Points targets, std::vector<double> angles) {
+  post(Mailbox::Cancels::once, [&](Inbox& inbox) {
+    inbox.targets = Inbox::Targets{std::move(targets), std::move(angles)};
+  });
 }
 
 void Worker::set_parameters(const Density* energy, Parameters parameters) {

@@ -49,9 +49,10 @@ class Worker {
   /// to run. The first snapshot is the problem's own mesh. Targets and parameters that the worker
   /// has not yet taken up are dropped.
   std::uint64_t load(Problem problem);
-  /// Moves the targets in the order of the problem's handles (2 × #handles); a finished run
-  /// begins to run again unless it was paused. The newest snapshot shows them.
-  void set_targets(Points targets);
+  /// Moves the targets in the order of the problem's handles (2 × #handles) and turns those that
+  /// turn, see Run::set_targets(); a finished run begins to run again unless it was paused. The
+  /// newest snapshot shows them.
+  void set_targets(Points targets, std::vector<double> angles = {});
   /// Same mesh, other energy or parameters: a new run from where this one is, begun likewise.
   void set_parameters(const Density* energy, Parameters parameters);
   void run();

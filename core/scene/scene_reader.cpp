@@ -182,13 +182,16 @@ class SceneReader {
     std::vector<bool> named(used.size(), false);
     std::vector<std::optional<int>> ids;
     for (const JsonValue& item : handles.items()) {
-      item.allow_only({"vertex", "target", "id", "kind", "weight", "depth"});
+      item.allow_only(
+          {"vertex", "target", "id", "kind", "weight", "depth", "angle", "radius", "name"});
       Handle handle;
       handle.vertex = read_vertex(item.at("vertex"), used, named);
       handle.target = item.at("target").point();
       if (const auto kind = item.find("kind")) handle.kind = read_kind(*kind);
       if (const auto weight = item.find("weight")) handle.weight = read_weight(*weight);
       if (const auto depth = item.find("depth")) handle.depth = depth->number();
+      if (item.find("angle") || item.find("radius")) handle.turn = read_turn(item);
+      if (const auto name = item.find("name")) handle.name = name->text();
       const auto id = item.find("id");
       ids.push_back(id ? std::optional(read_id(*id, ids)) : std::nullopt);
       scene_.handles.push_back(handle);
@@ -227,6 +230,13 @@ class SceneReader {
     if (!(value.number() > 0))
       value.refuse("is " + value.shown() + ", but a number greater than 0 is needed");
     return value.number();
+  }
+
+  static Turn read_turn(const JsonValue& handle) {
+    const JsonValue radius = handle.at("radius");
+    if (!(radius.number() > 0))
+      radius.refuse("is " + radius.shown() + ", but a number greater than 0 is needed");
+    return {handle.at("angle").number(), radius.number()};
   }
 
   static int read_id(const JsonValue& value, const std::vector<std::optional<int>>& earlier) {

@@ -51,6 +51,9 @@ JsonNode handles_node(const std::vector<Handle>& handles) {
       object.emplace_back("kind", JsonNode{std::string(handle_kind_name(handle.kind))});
     if (handle.weight != 1) object.emplace_back("weight", JsonNode{handle.weight});
     if (handle.depth != 0) object.emplace_back("depth", JsonNode{handle.depth});
+    if (handle.turn) object.emplace_back("angle", JsonNode{handle.turn->angle});
+    if (handle.turn) object.emplace_back("radius", JsonNode{handle.turn->radius});
+    if (!handle.name.empty()) object.emplace_back("name", JsonNode{handle.name});
     array.push_back({std::move(object)});
   }
   return {std::move(array)};

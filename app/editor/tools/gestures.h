@@ -44,6 +44,9 @@ enum class Transformation { turn, scale };
 std::unique_ptr<Tool> make_transform_tool(Transformation what, const Vec2& from,
                                           std::vector<Target> starts);
 
+/// The same turn of one handle by its ring, while the left button is down.
+std::unique_ptr<Tool> make_ring_tool(const Vec2& from, std::vector<Target> starts);
+
 /// Moves the view until the button is released.
 std::unique_ptr<Tool> make_pan_tool(const Vec2& from, Button button);
 

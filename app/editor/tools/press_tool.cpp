@@ -5,6 +5,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/picking.h"
 #include "app/editor/tools/gestures.h"
+#include "app/editor/turning.h"
 
 namespace foldless {
 namespace {
@@ -73,6 +74,9 @@ class PressTool final : public Tool {
 
   std::unique_ptr<Tool> begin_drag(Editor& editor) {
     if (handle_ && find_handle(editor.document(), handle_->id)) return drag_handle(editor);
+    const auto ring = handle_ring(editor);
+    if (ring && ring->is_near(event_.position, editor.canvas()) && !adds() && !subtracts())
+      return begin_ring(editor, event_.position);
     const auto hit = mesh_under_press(editor);
     if (is_on_mesh_ && hit && !adds() && !subtracts()) return place_and_drag(editor, *hit);
     return make_band_tool(event_.position, band_mode(event_.modifiers));

@@ -34,8 +34,11 @@ std::string short_words(const char* format, double value) {
 
 class TransformTool final : public Tool {
  public:
-  TransformTool(Transformation what, const Vec2& from, std::vector<Target> starts)
-      : what_(what), last_(from), starts_(std::move(starts)) {
+  /// Which button takes what was done, by going down or by going up.
+  enum class Ends { with_press, with_release };
+
+  TransformTool(Transformation what, const Vec2& from, std::vector<Target> starts, Ends ends)
+      : what_(what), last_(from), starts_(std::move(starts)), ends_(ends) {
     for (const Target& start : starts_) centre_ += start.position;
     centre_ /= static_cast<double>(starts_.size());
   }
@@ -45,6 +48,7 @@ class TransformTool final : public Tool {
   std::string words() const override {
     const std::string what = what_ == Transformation::turn ? short_words("Turn by %.4g°", shown_)
                                                            : short_words("Scale by %.4g", shown_);
+    if (ends_ == Ends::with_release) return what + " · Shift snaps · Esc takes it back";
     return what + " · click or Enter takes it · Esc takes it back · Shift snaps, or type a number";
   }
 
@@ -63,6 +67,11 @@ class TransformTool final : public Tool {
 
   std::unique_ptr<Tool> press(Editor& editor, const PointerPressed& event) override {
     return event.button == Button::left ? take(editor) : take_back(editor);
+  }
+
+  std::unique_ptr<Tool> release(Editor& editor, const PointerReleased& event) override {
+    if (ends_ == Ends::with_press || event.button != Button::left) return nullptr;
+    return take(editor);
   }
 
   bool key(Editor& editor, const KeyPressed& event, std::unique_ptr<Tool>& next) override {
@@ -88,7 +97,10 @@ class TransformTool final : public Tool {
   double value() const {
     if (!text_.empty()) return std::strtod(text_.c_str(), nullptr);
     if (!is_snapped_) return by_hand_;
-    return snapped(by_hand_, what_ == Transformation::turn ? kTurnSnap : kScaleSnap);
+    if (what_ == Transformation::scale) return snapped(by_hand_, kScaleSnap);
+    // One handle alone comes to an angle that is a multiple, not by one.
+    const double from = starts_.size() == 1 ? starts_.front().angle.value_or(0) : 0;
+    return snapped(from + by_hand_, kTurnSnap) - from;
   }
 
   Eigen::Matrix2d matrix() const {
@@ -101,14 +113,19 @@ class TransformTool final : public Tool {
     shown_ = value();
     const Eigen::Matrix2d linear = matrix();
     std::vector<Target> targets = starts_;
-    for (Target& target : targets) target.position = centre_ + linear * (target.position - centre_);
+    for (Target& target : targets) {
+      target.position = centre_ + linear * (target.position - centre_);
+      if (target.angle && what_ == Transformation::turn) *target.angle += shown_;
+    }
     editor.draft().apply(with_targets(editor.document(), targets), Change::targets);
   }
 
   std::unique_ptr<Tool> take(Editor& editor) {
-    editor.draft().commit(what_ == Transformation::turn ? "Turn handles" : "Scale handles");
+    if (ends_ == Ends::with_release && shown_ == 0) return take_back(editor);  // a click
+    editor.draft().commit(what_ == Transformation::turn ? turn_label() : "Scale handles");
     return make_idle_tool();
   }
+  const char* turn_label() const { return starts_.size() == 1 ? "Turn handle" : "Turn handles"; }
   static std::unique_ptr<Tool> take_back(Editor& editor) {
     editor.draft().abandon_edit();
     return make_idle_tool();
@@ -117,6 +134,7 @@ class TransformTool final : public Tool {
   Transformation what_;
   Vec2 last_;  ///< of the pointer, in pixels
   std::vector<Target> starts_;
+  Ends ends_;
   Vec2 centre_ = Vec2::Zero();
   double by_hand_ = what_ == Transformation::turn ? 0 : 1;  ///< degrees, or a factor
   bool is_snapped_ = false;
@@ -128,7 +146,13 @@ class TransformTool final : public Tool {
 
 std::unique_ptr<Tool> make_transform_tool(Transformation what, const Vec2& from,
                                           std::vector<Target> starts) {
-  return std::make_unique<TransformTool>(what, from, std::move(starts));
+  return std::make_unique<TransformTool>(what, from, std::move(starts),
+                                         TransformTool::Ends::with_press);
+}
+
+std::unique_ptr<Tool> make_ring_tool(const Vec2& from, std::vector<Target> starts) {
+  return std::make_unique<TransformTool>(Transformation::turn, from, std::move(starts),
+                                         TransformTool::Ends::with_release);
 }
 
 }  // namespace foldless

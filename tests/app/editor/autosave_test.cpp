@@ -65,7 +65,8 @@ TEST_F(AutosaveTest, OpeningWhatCannotBeReadLosesNoCopy) {
 TEST_F(AutosaveTest, RecoveryGivesEverythingBack) {
   pose();
   editor_->selection().select_all();
-  editor_->edits().change_selected("Depth", [](Handle& handle) { handle.depth = 2.5; });
+  editor_->edits().change_selected("Depth", Change::appearance,
+                                   [](Handle& handle) { handle.depth = 2.5; });
   editor_->files().set_texture(folder_.write("a.png", "no image, but a file"));
   ASSERT_TRUE(editor_->files().save_as(folder_ / "scene.json"));
   const Vec2 from = pixel_of_handle(1);

@@ -98,9 +98,9 @@ TEST_F(HandleEdits, EscapeAndTheOtherButtonsTakeItBack) {
   EXPECT_FALSE(editor_->draft().is_editing());
 }
 
-TEST_F(HandleEdits, OneHandleHasNothingToTurn) {
+TEST_F(HandleEdits, OneHandleHasNothingToScale) {
   editor_->selection().select({1});
-  key(Key::r);
+  key(Key::s);
   EXPECT_FALSE(editor_->draft().is_editing());
 }
 

@@ -81,8 +81,8 @@ TEST_F(Depth, OverlaysHiddenOneLimbIsStillWhole) {
 TEST_F(Depth, TheFieldOfTheSelectedHandlesTakesANumberWithEnter) {
   editor().selection().select({0, 1});
   headless_.settle();
-  // Below the rows of the two handles.
-  for (double y = 320; y < 400 && depth(0) != 2.5; y += 10) {
+  // The last field of the inspector.
+  for (double y = 455; y < 490 && depth(0) != 2.5; y += 10) {
     headless_.click({100, y});
     headless_.key(Key::a, {.control = true});
     headless_.type("2.5");

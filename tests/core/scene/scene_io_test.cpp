@@ -33,7 +33,8 @@ Scene full_scene() {
   scene.texture_box = TextureBox{{-0.25, 0}, {1, 1.5}};
   scene.energy = find_density("green-strain");
   scene.handles = {{4, 2, Vec2(0.1 + 0.2, -1e300), HandleKind::pin, 1},
-                   {1, 0, Vec2(0, 5e-324), HandleKind::soft, 0.125, -1.0 / 3}};
+                   {1, 0, Vec2(0, 5e-324), HandleKind::soft, 0.125, -1.0 / 3,
+                    Turn{-1234.5, 1.0 / 7}, "Лапа \"left\""}};
   scene.parameters = {"paper-noflip", 1e6, 0.5, 1e-3, 0.1, 7, 3, 1e-9, 0, false, false};
   scene.state = SceneState{scene.triangles, scene.rest, scene.rest * 0.7};
   scene.view = std::make_shared<const nlohmann::json>(

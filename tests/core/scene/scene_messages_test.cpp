@@ -81,6 +81,15 @@ TEST(SceneMessages, NameHandlesThatCannotBe) {
             "scene.json:2: handles[0].weight is 0, but a number greater than 0 is needed");
   EXPECT_EQ(folder.error_with(R"("handles": [{"vertex": 1, "target": [0, 0], "depth": "front"}])"),
             "scene.json:2: handles[0].depth is 'front', but a number is needed");
+  EXPECT_EQ(folder.error_with(R"("handles": [{"vertex": 1, "target": [0, 0], "angle": 90}])"),
+            "scene.json:2: handles[0] has no key 'radius', which is needed");
+  EXPECT_EQ(folder.error_with(R"("handles": [{"vertex": 1, "target": [0, 0], "radius": 1}])"),
+            "scene.json:2: handles[0] has no key 'angle', which is needed");
+  EXPECT_EQ(
+      folder.error_with(R"("handles": [{"vertex": 1, "target": [0, 0], "angle": 9, "radius": 0}])"),
+      "scene.json:2: handles[0].radius is 0, but a number greater than 0 is needed");
+  EXPECT_EQ(folder.error_with(R"("handles": [{"vertex": 1, "target": [0, 0], "name": 3}])"),
+            "scene.json:2: handles[0].name is 3, but a text is needed");
   EXPECT_EQ(folder.error_with(R"("handles": [{"vertex": 1, "target": [0, 0], "id": 7},)"
                               R"({"vertex": 2, "target": [0, 0], "id": 7}])"),
             "scene.json:2: handles[1].id is 7, which an earlier handle has already");
