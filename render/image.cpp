@@ -3,6 +3,10 @@
 
 #include <png.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
 #include <string_view>
 
 #include "core/error.h"
@@ -43,6 +47,13 @@ std::pair<std::string, std::string> text_of(const PngChunk& chunk) {
 }
 
 }  // namespace
+
+bool is_image_file(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  static constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".jpeg", ".webp"};
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
 
 std::vector<std::uint8_t> alpha_of(const Image& image) {
   std::vector<std::uint8_t> alpha(image.pixels.size() / 4);

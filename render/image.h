@@ -41,6 +41,9 @@ std::vector<std::uint8_t> alpha_of(const Image& image);
 /// Keyword → text of a picture: what is drawn and how it came about, e.g. Scene, Iteration, Energy.
 using ImageTexts = std::map<std::string, std::string>;
 
+/// True for the names of such files: .png, .jpg, .jpeg and .webp in any case.
+bool is_image_file(const std::filesystem::path& file);
+
 /// Reads a PNG, JPEG (CMYK too) or WebP; its first bytes tell which. Throws Error when the file
 /// cannot be read, is none of these, is damaged, or is larger than 16384 pixels a side or 100
 /// million in all.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -14,16 +13,10 @@
 #include "core/files/mesh_io.h"
 #include "core/method/methods.h"
 #include "core/scene/scene_io.h"
+#include "render/image.h"
 
 namespace foldless {
 namespace {
-
-bool is_image_file(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  static constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".jpeg", ".webp"};
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
-}
 
 std::filesystem::path full_path(const std::filesystem::path& path) {
   std::error_code error;

@@ -24,8 +24,8 @@ namespace foldless {
 /// What an editor needs from outside.
 struct EditorOptions {
   /// Holds the recent files and copies of unsaved work; empty: nothing is kept on disk.
-  std::filesystem::path state_folder;
-  std::function<void()> wake;  ///< called on the solver's thread when update() has news
+  std::filesystem::path state_folder = {};
+  std::function<void()> wake = {};  ///< called on the solver's thread when update() has news
   std::size_t history_bytes = std::size_t{1} << 30;
 };
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "app/gui/interface_commands.h"
+
 namespace foldless {
 namespace {
 
@@ -45,7 +47,7 @@ void CanvasInput::leave(Editor& editor, double time) {
   pointer_.reset();
 }
 
-void CanvasInput::route(const InputEvent& event, Editor& editor, double time) {
+void CanvasInput::route(const InputEvent& event, Editor& editor, UiState& state, double time) {
   std::visit(
       [&](const auto& e) {
         using E = std::decay_t<decltype(e)>;
@@ -56,7 +58,9 @@ void CanvasInput::route(const InputEvent& event, Editor& editor, double time) {
           pointer_ = on_canvas.position;
           editor.receive(on_canvas, time);
         } else if constexpr (std::is_same_v<E, KeyPressed>) {
-          if (!is_keyboard_taken()) editor.receive(e, time);
+          if (is_keyboard_taken()) return;
+          if (e.is_repeat || !run_interface_command({e.key, e.modifiers}, state))
+            editor.receive(e, time);
         } else {
           if constexpr (std::is_same_v<E, FocusLost>) held_buttons_ = 0;
           editor.receive(e, time);

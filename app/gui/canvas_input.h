@@ -6,6 +6,7 @@
 #include "app/editor/editor.h"
 #include "app/gui/extent.h"
 #include "app/gui/layout.h"
+#include "app/gui/ui_state.h"
 
 namespace foldless {
 
@@ -14,7 +15,8 @@ class CanvasInput {
  public:
   void begin_frame(const Rectangle& canvas);
   /// Position in framebuffer pixels of the whole window.
-  void route(const InputEvent& event, Editor& editor, double time);
+  /// Keys of the interface change its state.
+  void route(const InputEvent& event, Editor& editor, UiState& state, double time);
 
   /// Where the pointer is on the canvas in its pixels; nothing while it is elsewhere.
   std::optional<Vec2> pointer() const { return pointer_; }

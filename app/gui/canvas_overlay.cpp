@@ -82,18 +82,6 @@ void draw_heat_notes(Editor& editor, const PanelContext& context, const CanvasBr
              look);
 }
 
-void draw_sample_buttons(Editor& editor, const PanelContext& context) {
-  const Look& look = context.look;
-  const auto samples = context.state.samples;
-  if (!ImGui::BeginTable("samples", 2)) return;
-  for (const Sample& sample : samples) {
-    ImGui::TableNextColumn();
-    if (ImGui::Button(sample.title.c_str(), {-1, 0})) editor.files().open_sample(sample.path);
-    tooltip(sample.description, look);
-  }
-  ImGui::EndTable();
-}
-
 /// What to look at or to try, in the words of the scene, until it is closed.
 void draw_description(const std::string& words, const PanelContext& context) {
   if (words.empty() || words == context.state.closed_description) return;
@@ -139,31 +127,6 @@ void draw_plate_on_top(const std::string& words, const CanvasBrush& brush, const
                      nullptr, width);
 }
 
-/// The empty screen: nothing is open, everything is one click away.
-void draw_invitation(Editor& editor, const PanelContext& context) {
-  const Look& look = context.look;
-  const Rectangle& canvas = context.layout.canvas;
-  ImGui::SetNextWindowPos({canvas.x + canvas.width / 2, canvas.y + canvas.height / 2},
-                          ImGuiCond_Always, {0.5F, 0.5F});
-  ImGui::SetNextWindowSize({std::min(look.px(430), canvas.width * 0.94F), 0});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4{0, 0, 0, 0});
-  if (ImGui::Begin("##invitation", nullptr,
-                   ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                       ImGuiWindowFlags_NoBringToFrontOnFocus)) {
-    ImGui::PushFont(look.fonts.title);
-    ImGui::TextUnformatted("Bend anything. Nothing folds.");
-    ImGui::PopFont();
-    dim_text("Drop an image, a mesh or a scene here, open one, or begin with a sample.", look);
-    ImGui::Spacing();
-    if (main_button("Open…", look)) editor.run_command("file.open");
-    ImGui::Spacing();
-    draw_sample_buttons(editor, context);
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-}
-
 }  // namespace
 
 void draw_preview_overlay(const Preview& preview, const PanelContext& context) {
@@ -173,7 +136,7 @@ void draw_preview_overlay(const Preview& preview, const PanelContext& context) {
 }
 
 void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
-  if (!editor.shown()) return draw_invitation(editor, context);
+  if (!editor.shown()) return;
   const Rectangle& canvas = context.layout.canvas;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const CanvasBrush brush{list, canvas};

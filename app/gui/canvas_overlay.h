@@ -7,7 +7,7 @@
 namespace foldless {
 
 /// What lies on the canvas and is no mesh: selection band, distances to targets, the place of the
-/// largest distortion, and an invitation while nothing is open.
+/// largest distortion.
 void draw_canvas_overlay(Editor& editor, const PanelContext& context);
 
 /// What is known of what a dialog offers, over its preview.

@@ -6,6 +6,7 @@
 
 #include "app/editor/commands.h"
 #include "app/gui/dialog_keys.h"
+#include "app/gui/interface_commands.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
@@ -17,10 +18,11 @@ struct Gesture {
   const char* effect;
 };
 
-constexpr std::array<Gesture, 10> kGestures{{
+constexpr std::array<Gesture, 11> kGestures{{
     {"Click", "Place a handle on the mesh"},
     {"Drag", "Place and bend in one go"},
     {"Drag a handle", "Bend"},
+    {"Drag its ring", "Turn the mesh round it"},
     {"Shift+click", "Add to the selection"},
     {"Drag on empty", "Select in a box"},
     {"L+drag", "Select with a lasso"},
@@ -47,12 +49,20 @@ void draw_gestures(const Look& look) {
   for (const Gesture& gesture : kGestures) draw_row(gesture.input, gesture.effect, look);
 }
 
+std::string cheat_title(const InterfaceCommand& command) {
+  return command.submenu.empty() ? command.title
+                                 : std::string(command.submenu) + ": " + command.title;
+}
+
 void draw_menu(const char* menu, const Look& look) {
   ImGui::Spacing();
   heading(menu, look);
   for (const Command& command : commands())
     if (command.menu == menu && !command.shortcuts.empty())
       draw_row(shortcut_words(command), std::string(command.title), look);
+  for (const InterfaceCommand& command : interface_commands())
+    if (command.menu == menu && command.shortcut.key != Key::none)
+      draw_row(words_of(command.shortcut), cheat_title(command), look);
 }
 
 }  // namespace

@@ -6,34 +6,25 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/editor/commands.h"
 #include "app/gui/dialog_keys.h"
 #include "app/gui/directory.h"
+#include "app/gui/interface_commands.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
 namespace {
 
-std::string words_of(const Command& command) {
-  return std::string(command.menu) + ": " + std::string(command.title);
-}
-
-std::vector<const Command*> matches(const std::string& text) {
-  std::vector<const Command*> found;
-  for (const Command& command : commands())
-    if (matches_filter(words_of(command), text)) found.push_back(&command);
-  // Letters in one piece before letters that are scattered.
-  std::stable_partition(found.begin(), found.end(), [&text](const Command* command) {
-    const std::string words = words_of(*command);
-    const auto equal = [](char a, char b) { return lower_case(a) == lower_case(b); };
-    return text.empty() ||
-           std::search(words.begin(), words.end(), text.begin(), text.end(), equal) != words.end();
+/// Letters in one piece before letters that are scattered.
+void drop_others(std::vector<Action>& actions, const std::string& text) {
+  std::erase_if(actions, [&](const Action& action) { return !matches_filter(action.words, text); });
+  const auto equal = [](char a, char b) { return lower_case(a) == lower_case(b); };
+  std::stable_partition(actions.begin(), actions.end(), [&](const Action& action) {
+    return text.empty() || std::search(action.words.begin(), action.words.end(), text.begin(),
+                                       text.end(), equal) != action.words.end();
   });
-  return found;
 }
 
-void draw_shortcut(const Command& command, const Look& look) {
-  const std::string shortcut = shortcut_words(command);
+void draw_shortcut(const std::string& shortcut, const Look& look) {
   if (shortcut.empty()) return;
   const float width = ImGui::CalcTextSize(shortcut.c_str()).x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width - look.px(4));
@@ -48,7 +39,7 @@ void CommandSearch::open() {
   selected_ = 0;
 }
 
-void CommandSearch::draw(Editor& editor, const Look& look) {
+void CommandSearch::draw(Editor& editor, UiState& state, const Look& look) {
   if (opens_now_) ImGui::OpenPopup("##command search");
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float width = std::min(look.px(520), display.x * 0.9F);
@@ -62,30 +53,32 @@ void CommandSearch::draw(Editor& editor, const Look& look) {
   if (ImGui::InputTextWithHint("##search", "What would you like to do?", &text_)) selected_ = 0;
   const bool is_taken = dialog_keys(TextKeys::dialog).takes;
   ImGui::BeginChild("rows");
-  draw_rows(editor, is_taken, look);
+  draw_rows(all_actions(editor, state), is_taken, look);
   ImGui::EndChild();
   ImGui::EndPopup();
 }
 
-void CommandSearch::draw_rows(Editor& editor, bool is_taken, const Look& look) {
-  const auto found = matches(text_);
-  if (found.empty()) return dim_text("No command has these letters.", look);
-  const auto walked = walk_list(selected_, found.size(), !text_.empty());
-  selected_ = std::min(walked.value_or(selected_), found.size() - 1);
-  const Command* chosen = is_taken ? found[selected_] : nullptr;
-  for (std::size_t row = 0; row < found.size(); ++row) {
-    const Command& command = *found[row];
-    ImGui::BeginDisabled(!is_available(command, editor));
-    if (ImGui::Selectable(words_of(command).c_str(), row == selected_,
+void CommandSearch::draw_rows(std::vector<Action> actions, bool is_taken, const Look& look) {
+  drop_others(actions, text_);
+  if (actions.empty()) return dim_text("Nothing has these letters.", look);
+  const auto walked = walk_list(selected_, actions.size(), !text_.empty());
+  selected_ = std::min(walked.value_or(selected_), actions.size() - 1);
+  const Action* chosen = is_taken ? &actions[selected_] : nullptr;
+  for (std::size_t row = 0; row < actions.size(); ++row) {
+    const Action& action = actions[row];
+    ImGui::PushID(static_cast<int>(row));
+    ImGui::BeginDisabled(!action.is_available);
+    if (ImGui::Selectable(action.words.c_str(), row == selected_,
                           ImGuiSelectableFlags_DontClosePopups))
-      chosen = &command;
+      chosen = &action;
     if (row == selected_ && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
-    draw_shortcut(command, look);
+    draw_shortcut(action.shortcut, look);
     ImGui::EndDisabled();
+    ImGui::PopID();
   }
-  if (!chosen || !is_available(*chosen, editor)) return;
+  if (!chosen || !chosen->is_available) return;
   ImGui::CloseCurrentPopup();
-  editor.run_command(chosen->name);
+  chosen->run();
 }
 
 }  // namespace foldless

@@ -66,7 +66,7 @@ void draw_dialogs(Editor& editor, const PanelContext& context) {
   draw_recovery_dialog(editor, context);
   state.exporting.draw(editor, state, context.look);
   state.browser.draw(context.look);
-  state.search.draw(editor, context.look);
+  state.search.draw(editor, state, context.look);
   draw_cheat_sheet(editor, context);
   draw_about(context);
 }

@@ -111,10 +111,4 @@ void ExportDialog::ask_for_file(Editor& editor, UiState& state) {
   state.browser.ask(std::move(request));
 }
 
-void export_mesh(const Editor& editor, const std::filesystem::path& path) {
-  const auto& shown = editor.shown();
-  if (!shown) throw Error("There is no mesh to export: open one first.");
-  write_mesh(path, *shown->triangles, shown->deformed, shown->rest.get());
-}
-
 }  // namespace foldless

@@ -6,21 +6,12 @@
 #include <string>
 
 #include "app/editor/editor.h"
-#include "app/gui/canvas_picture.h"
+#include "app/gui/export_job.h"
 #include "app/gui/look.h"
 
 namespace foldless {
 
 struct UiState;
-
-/// What the user chose to export: a picture, or the mesh.
-struct ExportJob {
-  std::filesystem::path path;  ///< its extension says which format
-  PictureOptions picture;      ///< for `.png`
-  bool is_chosen_now = false;  ///< in the file browser, which asks again when writing fails
-
-  bool is_picture() const { return path.extension() == ".png"; }
-};
 
 /// Ctrl+E: asks for the format and its options, then for a file. The job is taken by whoever can
 /// carry it out.
@@ -46,9 +37,5 @@ class ExportDialog {
   std::optional<ExportJob> ordered_;
   bool opens_now_ = false;
 };
-
-/// Writes the mesh on screen; `.obj` carries the rest positions as `vt`. Throws Error when it
-/// cannot be written.
-void export_mesh(const Editor& editor, const std::filesystem::path& path);
 
 }  // namespace foldless

@@ -16,14 +16,14 @@ constexpr float kNarrow = 860;  ///< design pixels under which one panel holds a
 
 }  // namespace
 
-Layout layout_for(Extent framebuffer, float scale, bool shows_panels) {
+Layout layout_for(Extent framebuffer, float scale, SidePanels panels) {
   const auto width = static_cast<float>(framebuffer.width);
   const auto height = static_cast<float>(framebuffer.height);
   const auto px = [scale](float design) { return std::round(design * scale); };
   Layout layout;
-  layout.is_narrow = width < px(kNarrow);
-  const float left = shows_panels && !layout.is_narrow ? px(kLeft) : 0;
-  const float right = shows_panels ? std::min(px(kRight), std::round(width / 2)) : 0;
+  if (panels == SidePanels::two && width < px(kNarrow)) panels = SidePanels::one;
+  const float left = panels == SidePanels::two ? px(kLeft) : 0;
+  const float right = panels != SidePanels::none ? std::min(px(kRight), std::round(width / 2)) : 0;
   const float middle = width - left - right;
   const float bottom = std::max(height - px(kStatusBar), px(kMenuBar));
   const float top = px(kMenuBar);

@@ -18,19 +18,20 @@ struct Rectangle {
 /// the line between two panes.
 struct Layout {
   Rectangle menu_bar;
-  Rectangle left;   ///< layers, handles, history; without width in a narrow window
-  Rectangle right;  ///< solver, plots, iterations; and what was left in a narrow window
+  Rectangle left;   ///< without width where there is one panel
+  Rectangle right;  ///< without width where there is none
   Rectangle canvas;
   Rectangle
       rest;  ///< the pane beside the canvas, as large as it; without width where there is none
   Rectangle timeline;
   Rectangle status_bar;
-  bool is_narrow = false;  ///< all sections share the right panel
 };
 
-/// For a framebuffer and framebuffer pixels in one design pixel. `shows_panels` false leaves the
-/// whole width to the canvas.
-Layout layout_for(Extent framebuffer, float scale, bool shows_panels);
+/// How many side panels there are where there is room; without any the canvas has the whole width.
+enum class SidePanels { none, one, two };
+
+/// For a framebuffer and framebuffer pixels in one design pixel.
+Layout layout_for(Extent framebuffer, float scale, SidePanels panels);
 
 /// Gives the left half of the canvas to the pane of the rest mesh.
 void split_canvas(Layout& layout, float scale);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <cmath>
 #include <string>
 
 #include "app/editor/commands.h"
+#include "app/gui/interface_commands.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
@@ -34,61 +34,36 @@ void draw_recent(Editor& editor) {
   ImGui::EndMenu();
 }
 
-void draw_autosave_menu(UiState& state) {
-  struct Interval {
-    const char* title;
-    double seconds;
-  };
-  static constexpr std::array<Interval, 5> kIntervals{{{"15 seconds", 15},
-                                                       {"1 minute", 60},
-                                                       {"5 minutes", 300},
-                                                       {"15 minutes", 900},
-                                                       {"1 hour", 3600}}};
-  if (!ImGui::BeginMenu("Keep a copy of changes within")) return;
-  for (const Interval& interval : kIntervals)
-    if (ImGui::MenuItem(interval.title, nullptr,
-                        state.settings.autosave_seconds == interval.seconds))
-      state.settings.autosave_seconds = interval.seconds;
-  ImGui::EndMenu();
+void draw_command(const InterfaceCommand& command, UiState& state) {
+  const bool is_checked = command.is_checked && command.is_checked(state);
+  const std::string key = command.shortcut.key == Key::none ? "" : words_of(command.shortcut);
+  if (ImGui::MenuItem(command.title.c_str(), key.c_str(), is_checked)) command.run(state);
 }
 
-void draw_theme_menu(UiState& state) {
-  static constexpr std::array kTitles{"Dark", "Light", "High contrast"};
-  if (!ImGui::BeginMenu("Theme")) return;
-  for (std::size_t i = 0; i < kTitles.size(); ++i) {
-    const auto theme = static_cast<Theme>(i);
-    if (ImGui::MenuItem(kTitles[i], nullptr, state.settings.theme == theme))
-      state.settings.theme = theme;
+/// What a menu has of the interface, its submenus where their first command stands.
+void draw_interface_commands(std::string_view menu, UiState& state) {
+  std::string_view done;
+  for (const InterfaceCommand& command : interface_commands()) {
+    if (command.menu != menu || (!done.empty() && command.submenu == done)) continue;
+    if (command.submenu.empty()) {
+      draw_command(command, state);
+      continue;
+    }
+    done = command.submenu;
+    if (!ImGui::BeginMenu(std::string(done).c_str())) continue;
+    for (const InterfaceCommand& inner : interface_commands())
+      if (inner.menu == menu && inner.submenu == done) draw_command(inner, state);
+    ImGui::EndMenu();
   }
-  ImGui::EndMenu();
-}
-
-void draw_scale_menu(UiState& state) {
-  if (!ImGui::BeginMenu("Interface size")) return;
-  for (const int percent : {75, 100, 125, 150, 175, 200, 250, 300}) {
-    const double scale = percent / 100.0;
-    const bool is_chosen = std::abs(state.settings.scale - scale) < 1e-6;
-    if (ImGui::MenuItem((std::to_string(percent) + " %").c_str(), nullptr, is_chosen))
-      state.settings.scale = scale;
-  }
-  ImGui::EndMenu();
 }
 
 void draw_extras(std::string_view menu, Editor& editor, const PanelContext& context) {
-  UiState& state = context.state;
+  if (menu == "File" || menu == "View") ImGui::Separator();
   if (menu == "File") {
-    ImGui::Separator();
     draw_recent(editor);
     draw_samples(editor, context);
-    draw_autosave_menu(state);
-  } else if (menu == "View") {
-    ImGui::Separator();
-    draw_theme_menu(state);
-    draw_scale_menu(state);
-    ImGui::MenuItem("Side panels", nullptr, &state.settings.shows_panels);
-  } else if (menu == "Help") {
-    if (ImGui::MenuItem("About Foldless")) state.shows_about = true;
   }
+  draw_interface_commands(menu, context.state);
 }
 
 /// The name of the document in the middle of what is left of the bar.

@@ -2,6 +2,7 @@
 #include "app/gui/samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <climits>
 #include <cstdlib>
@@ -32,12 +33,15 @@ std::string title_of(const std::filesystem::path& file) {
   return figure;
 }
 
-/// Figures by number, then everything else by title.
+/// Drawings to pose come first, then figures by number, then everything else by title.
 bool comes_before(const Sample& a, const Sample& b) {
-  const auto figure = [](const Sample& sample) {
+  static constexpr std::array kDrawings{"welcome", "figure10_alligator", "figure10_cowboy"};
+  const auto place = [](const Sample& sample) {
+    const auto drawing = std::ranges::find(kDrawings, sample.path.stem().string());
+    if (drawing != kDrawings.end()) return static_cast<int>(drawing - kDrawings.end());
     return sample.title.starts_with("Figure ") ? std::atoi(sample.title.c_str() + 7) : INT_MAX;
   };
-  return std::pair(figure(a), a.title) < std::pair(figure(b), b.title);
+  return std::pair(place(a), a.title) < std::pair(place(b), b.title);
 }
 
 /// Empty when the program's data is missing.

@@ -70,9 +70,15 @@ Settings load_settings(const std::filesystem::path& file) {
   read.boolean("maximised", settings.is_maximised);
   if (const auto theme = read.find("theme"); theme && theme->is_string())
     settings.theme = theme_named(theme->get<std::string>());
+  if (const auto name = read.find("workspace"); name && name->is_string())
+    settings.workspace = *name == "animate" ? Workspace::animate : Workspace::lab;
   if (read.find("pace")) read.number("pace", settings.pace.emplace(1), 1, 60);
   for (const std::string& title : read.texts("closed_sections"))
     settings.closed_sections.insert(title);
+  if (read.find("closed_in_animate")) {
+    const auto titles = read.texts("closed_in_animate");
+    settings.closed_in_animate = {titles.begin(), titles.end()};
+  }
   if (const auto* layers = read.find("layers")) settings.layers = read_layers(*layers, {});
   return settings;
 }
@@ -84,10 +90,13 @@ void save_settings(const std::filesystem::path& file, const Settings& settings) 
                       {"theme", kThemeNames[static_cast<std::size_t>(settings.theme)]},
                       {"panels", settings.shows_panels},
                       {"closed_sections", settings.closed_sections},
+                      {"closed_in_animate", settings.closed_in_animate},
                       {"window_width", settings.window_width},
                       {"window_height", settings.window_height},
                       {"maximised", settings.is_maximised},
                       {"autosave_seconds", settings.autosave_seconds}};
+  if (settings.workspace)
+    json["workspace"] = *settings.workspace == Workspace::animate ? "animate" : "lab";
   if (settings.pace) json["pace"] = *settings.pace;
   if (settings.layers) json["layers"] = layers_json(*settings.layers);
   try {

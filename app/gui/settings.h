@@ -10,13 +10,22 @@
 
 namespace foldless {
 
+/// What the panels are for.
+enum class Workspace {
+  lab,     ///< studying mappings: solver, plots, iterations on the right
+  animate  ///< posing drawings: one panel with handles and layers first
+};
+
 /// What the user set once for all documents.
 struct Settings {
   double scale = 1;  ///< on top of the desktop's scale, 0.75 … 3
   Theme theme = Theme::dark;
   bool shows_panels = true;
-  std::set<std::string> closed_sections;  ///< of the panels, by title
-  std::optional<double> pace;             ///< of the solver, see Playback::set_pace()
+  /// Absent: never chosen, it goes by what is open.
+  std::optional<Workspace> workspace;
+  std::set<std::string> closed_sections;  ///< of the lab's panels, by title
+  std::set<std::string> closed_in_animate{"Solver", "Convergence", "Iterations"};
+  std::optional<double> pace;  ///< of the solver, see Playback::set_pace()
   /// Of meshes without a picture, when the program was left; absent: the defaults.
   std::optional<Layers> layers;
   int window_width = 1280, window_height = 800;  ///< window coordinates, while not maximised

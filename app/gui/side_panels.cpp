@@ -27,7 +27,10 @@ void draw_sections(std::initializer_list<SectionRow> rows, Editor& editor,
                    const PanelContext& context) {
   for (const SectionRow& row : rows) {
     ImGui::PushID(row.title);
-    std::set<std::string>& closed = context.state.settings.closed_sections;
+    Settings& settings = context.state.settings;
+    std::set<std::string>& closed = context.state.workspace == Workspace::animate
+                                        ? settings.closed_in_animate
+                                        : settings.closed_sections;
     const bool is_open = section(row.title, !closed.contains(row.title), context.look);
     if (is_open)
       closed.erase(row.title);
@@ -48,14 +51,20 @@ constexpr SectionRow kSolver{"Solver", draw_solver_panel};
 constexpr SectionRow kPlots{"Convergence", draw_plots_panel};
 constexpr SectionRow kIterations{"Iterations", draw_iterations_panel};
 
+void draw_all_sections(Editor& editor, const PanelContext& context) {
+  if (context.state.workspace == Workspace::animate)
+    draw_sections({kHandles, kLayers, kHistory, kSolver, kPlots, kIterations}, editor, context);
+  else
+    draw_sections({kLayers, kSolver, kPlots, kHandles, kHistory, kIterations}, editor, context);
+}
+
 }  // namespace
 
 void draw_side_panels(Editor& editor, const PanelContext& context) {
   const Layout& layout = context.layout;
   if (layout.right.width <= 0) return;
-  if (layout.is_narrow) {
-    if (begin_panel("##right", layout.right))
-      draw_sections({kLayers, kSolver, kPlots, kHandles, kHistory, kIterations}, editor, context);
+  if (layout.left.width <= 0) {
+    if (begin_panel("##right", layout.right)) draw_all_sections(editor, context);
     ImGui::End();
     return;
   }

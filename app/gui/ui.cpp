@@ -13,6 +13,7 @@
 #include "app/gui/canvas_overlay.h"
 #include "app/gui/canvas_picture.h"
 #include "app/gui/dialog_keys.h"
+#include "app/gui/export_job.h"
 #include "app/gui/input_feed.h"
 #include "app/gui/names_on_screen.h"
 #include "app/gui/panels.h"
@@ -20,6 +21,8 @@
 #include "app/gui/race_layout.h"
 #include "app/gui/requests.h"
 #include "app/gui/scenes.h"
+#include "app/gui/start_screen.h"
+#include "app/gui/thumbnails.h"
 #include "app/gui/tooltips.h"
 #include "app/gui/ui_state.h"
 #include "core/error.h"
@@ -32,6 +35,7 @@ namespace {
 constexpr int kSettlingFrames = 3;
 constexpr double kTextCursorSeconds = 0.4;
 constexpr double kSettingsRestSeconds = 0.5;
+constexpr double kThumbnailSeconds = 0.03;  ///< between looks at what was read
 
 /// What the editor shows without being asked to by an event.
 struct News {
@@ -41,6 +45,12 @@ struct News {
   std::string words;       ///< on that
   bool operator==(const News&) const = default;
 };
+
+/// The user's choice; until there is one, drawings are posed and meshes are studied.
+Workspace workspace_for(const Settings& settings, const Editor& editor) {
+  const bool is_drawing = !editor.document().texture.empty();
+  return settings.workspace.value_or(is_drawing ? Workspace::animate : Workspace::lab);
+}
 
 /// Makes the context before, and destroys it after, whatever uses it.
 struct ImGuiOwner {
@@ -57,6 +67,8 @@ struct Ui::Parts {
   ImGuiOwner imgui;
   UiRenderer ui_renderer;
   Scenes scenes;
+  Thumbnails thumbnails;
+  bool has_thumbnails_to_make = false;
   InputFeed feed;
   CanvasInput canvas_input;
   UiState state;
@@ -75,8 +87,8 @@ struct Ui::Parts {
   void follow_appearance(const Editor& editor, float content_scale);
   void follow_settings();
   void remember(const Editor& editor);
+  SidePanels panels(const Editor& editor) const;
   void save();
-  void carry_out(const ExportJob& job, Editor& editor);
 };
 
 void Ui::Parts::connect_clipboard() {
@@ -103,6 +115,13 @@ void Ui::Parts::follow_appearance(const Editor& editor, float content_scale) {
   settling = kSettlingFrames;
 }
 
+/// The start screen and a race have none.
+SidePanels Ui::Parts::panels(const Editor& editor) const {
+  if (!state.settings.shows_panels || editor.race().is_open() || editor.document().is_empty())
+    return SidePanels::none;
+  return state.workspace == Workspace::animate ? SidePanels::one : SidePanels::two;
+}
+
 /// What changes from frame to frame, as the size of a window, is written when it has come to rest.
 void Ui::Parts::follow_settings() {
   if (saves_after && time >= *saves_after) save();
@@ -125,24 +144,6 @@ void Ui::Parts::remember(const Editor& editor) {
   const Document& document = editor.document();
   if (!document.is_empty() && document.texture.empty())
     state.settings.layers = editor.view().options().layers;
-}
-
-void Ui::Parts::carry_out(const ExportJob& job, Editor& editor) {
-  try {
-    if (job.is_picture()) {
-      GLint bound = 0;
-      glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-      const Image picture = draw_picture(editor, scenes.canvas_renderer(), job.picture);
-      glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
-      save_png(job.path, picture, picture_texts(editor));
-    } else {
-      export_mesh(editor, job.path);
-    }
-    editor.messages().toast(ToastKind::notice, "Wrote " + job.path.string());
-  } catch (const Error& error) {
-    if (job.is_chosen_now) return state.browser.ask_again(error.what());
-    editor.messages().toast(ToastKind::error, error.what());
-  }
 }
 
 Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
@@ -194,12 +195,14 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   const News news{editor.files().question() != nullptr, editor.messages().toasts().size(),
                   preview.has_value(), preview ? preview->words : ""};
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
-  if (const auto job = p.state.exporting.take_order()) p.carry_out(*job, editor);
+  if (const auto job = p.state.exporting.take_order())
+    carry_out(*job, editor, p.scenes.canvas_renderer(), p.state.browser);
   p.scenes.draw(editor, p.layout, spec.framebuffer);
   p.state.heat_range = p.scenes.heat_range();
   draw_panels(editor);
   ImGui::Render();
   p.ui_renderer.draw(*ImGui::GetDrawData());
+  p.has_thumbnails_to_make = editor.document().is_empty() && p.thumbnails.update();
   p.remember(editor);
   p.follow_settings();
   if (p.tooltips.has_appeared()) p.settling = kSettlingFrames;
@@ -211,7 +214,8 @@ void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   p.follow_appearance(editor, spec.content_scale);
   const bool has_race = editor.race().is_open();
   const float scale = p.appearance.look().scale;
-  p.layout = layout_for(spec.framebuffer, scale, p.state.settings.shows_panels && !has_race);
+  p.state.workspace = workspace_for(p.state.settings, editor);
+  p.layout = layout_for(spec.framebuffer, scale, p.panels(editor));
   if (editor.view().remesh_diff().is_shown() && !has_race) split_canvas(p.layout, scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(spec.framebuffer.width),
@@ -240,7 +244,7 @@ void Ui::route(Editor& editor, const std::vector<UiEvent>& events, double time) 
   p.canvas_input.begin_frame(editor.race().is_open() ? Rectangle{} : p.layout.canvas);
   for (const UiEvent& event : events)
     if (const auto* input = std::get_if<InputEvent>(&event))
-      p.canvas_input.route(*input, editor, time);
+      p.canvas_input.route(*input, editor, p.state, time);
   p.state.pointer = p.canvas_input.pointer();
 }
 
@@ -252,6 +256,7 @@ void Ui::draw_panels(Editor& editor) {
   } else if (editor.race().is_open()) {
     draw_race_panel(editor, context);
   } else {
+    if (editor.document().is_empty()) draw_start_screen(editor, p.thumbnails, context);
     draw_canvas_overlay(editor, context);
     draw_remesh_panes(editor, context);
     draw_stuck_card(editor, context);
@@ -270,6 +275,7 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
   if (const auto wake = editor.next_wake()) next = std::max(0.0, *wake - now);
   for (const auto& due : {parts_->saves_after, parts_->tooltips.due()})
     if (due) next = std::max(0.0, std::min(next.value_or(*due - now), *due - now));
+  if (parts_->has_thumbnails_to_make) next = std::min(next.value_or(1), kThumbnailSeconds);
   if (ImGui::GetIO().WantTextInput) next = std::min(next.value_or(1), kTextCursorSeconds);
   return next;
 }

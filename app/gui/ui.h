@@ -17,10 +17,10 @@ namespace foldless {
 
 /// What the interface needs from outside.
 struct UiOptions {
-  std::filesystem::path state_folder;     ///< settings; empty: nothing is kept on disk
-  std::filesystem::path pictures_folder;  ///< for F12 while the scene has no file
-  std::function<std::string()> clipboard;
-  std::function<void(const std::string&)> set_clipboard;
+  std::filesystem::path state_folder = {};     ///< settings; empty: nothing is kept on disk
+  std::filesystem::path pictures_folder = {};  ///< for F12 while the scene has no file
+  std::function<std::string()> clipboard = {};
+  std::function<void(const std::string&)> set_clipboard = {};
 };
 
 /// The framebuffer of one frame.

@@ -20,6 +20,7 @@ namespace foldless {
 /// What the panels remember from frame to frame and the document does not hold.
 struct UiState {
   Settings settings;
+  Workspace workspace = Workspace::lab;  ///< on screen
   std::vector<Sample> samples;
   FileBrowser browser;
   CommandSearch search;

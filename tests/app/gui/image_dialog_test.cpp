@@ -71,6 +71,8 @@ TEST_F(ImageDialog, ComesUpForAPictureThatIsChosenInTheFileBrowser) {
 }
 
 TEST_F(ImageDialog, EscapeLeavesTheScreenAsItWas) {
+  // Until the samples have their pictures.
+  ASSERT_TRUE(headless_.wait_until([this] { return !headless_.next_frame(); }));
   const Image before = headless_.picture();
   open();
   headless_.key(Key::escape);

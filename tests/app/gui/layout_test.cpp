@@ -19,7 +19,7 @@ class LayoutFor : public testing::TestWithParam<float> {};
 
 TEST_P(LayoutFor, FillsTheWindowWithoutOverlap) {
   for (const Extent size : {Extent{1280, 800}, Extent{2560, 1600}, Extent{500, 360}}) {
-    const Layout l = layout_for(size, GetParam(), true);
+    const Layout l = layout_for(size, GetParam(), SidePanels::two);
     const std::array parts{l.menu_bar, l.left, l.right, l.canvas, l.timeline, l.status_bar};
     double sum = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -32,16 +32,16 @@ TEST_P(LayoutFor, FillsTheWindowWithoutOverlap) {
 }
 
 TEST_P(LayoutFor, LeavesTheCanvasAtLeastAThirdOfTheWidth) {
-  const Layout l = layout_for({1280, 800}, GetParam(), true);
+  const Layout l = layout_for({1280, 800}, GetParam(), SidePanels::two);
   EXPECT_GE(l.canvas.width, 1280 / 3);
 }
 
 TEST_P(LayoutFor, GivesTheWholeWidthToTheCanvasWithoutPanels) {
-  EXPECT_EQ(layout_for({1280, 800}, GetParam(), false).canvas.width, 1280);
+  EXPECT_EQ(layout_for({1280, 800}, GetParam(), SidePanels::none).canvas.width, 1280);
 }
 
 TEST_P(LayoutFor, SplitsTheCanvasInTwoPanesOfOneSize) {
-  const Layout whole = layout_for({1281, 800}, GetParam(), true);
+  const Layout whole = layout_for({1281, 800}, GetParam(), SidePanels::two);
   Layout l = whole;
   split_canvas(l, GetParam());
   EXPECT_EQ(l.rest.width, l.canvas.width);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/export_job.h"
+
+#include <glad/gl.h>
+
+#include "app/gui/file_browser.h"
+#include "core/error.h"
+
+namespace foldless {
+
+void export_mesh(const Editor& editor, const std::filesystem::path& path) {
+  const auto& shown = editor.shown();
+  if (!shown) throw Error("There is no mesh to export: open one first.");
+  write_mesh(path, *shown->triangles, shown->deformed, shown->rest.get());
+}
+
+void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer,
+               FileBrowser& browser) {
+  try {
+    if (job.is_picture()) {
+      GLint bound = 0;
+      glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+      const Image picture = draw_picture(editor, renderer, job.picture);
+      glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+      save_png(job.path, picture, picture_texts(editor));
+    } else {
+      export_mesh(editor, job.path);
+    }
+    editor.messages().toast(ToastKind::notice, "Wrote " + job.path.string());
+  } catch (const Error& error) {
+    if (job.is_chosen_now) return browser.ask_again(error.what());
+    editor.messages().toast(ToastKind::error, error.what());
+  }
+}
+
+}  // namespace foldless

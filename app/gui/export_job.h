@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "app/editor/editor.h"
+#include "app/gui/canvas_picture.h"
+#include "render/scene_renderer.h"
+
+namespace foldless {
+
+class FileBrowser;
+
+/// What the user chose to export: a picture, or the mesh.
+struct ExportJob {
+  std::filesystem::path path;  ///< its extension says which format
+  PictureOptions picture;      ///< for `.png`
+  bool is_chosen_now = false;  ///< in the file browser, which asks again when writing fails
+
+  bool is_picture() const { return path.extension() == ".png"; }
+};
+
+/// Writes the mesh on screen; `.obj` carries the rest positions as `vt`. Throws Error when it
+/// cannot be written.
+void export_mesh(const Editor& editor, const std::filesystem::path& path);
+
+/// Writes what a job asks for and says so. Where that fails, the file browser asks again if it was
+/// there that the file was chosen.
+void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer, FileBrowser& browser);
+
+}  // namespace foldless

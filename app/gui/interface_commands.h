@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/editor/commands.h"
+#include "app/gui/ui_state.h"
+
+namespace foldless {
+
+/// What a user can ask of the interface rather than of the editor: its look, its panels. Feeds
+/// menus, keys and search, as the editor's commands do.
+struct InterfaceCommand {
+  std::string_view menu;     ///< that it is in
+  std::string_view submenu;  ///< of that; empty: in the menu itself
+  std::string title;
+  Shortcut shortcut;  ///< Key::none: there is none
+  std::function<void(UiState&)> run;
+  /// State of a switch; empty for commands that are none.
+  std::function<bool(const UiState&)> is_checked;
+};
+
+/// Every command in menu order; those of a submenu follow each other.
+const std::vector<InterfaceCommand>& interface_commands();
+
+/// Runs the command with that shortcut, if there is one; returns whether there was.
+bool run_interface_command(const Shortcut& shortcut, UiState& state);
+
+/// One line of the search: a command, a sample, a recent file.
+struct Action {
+  std::string words;     ///< `View: Theme: Dark`
+  std::string shortcut;  ///< in words, may be empty
+  bool is_available = true;
+  std::function<void()> run;
+};
+
+/// Everything that can be asked for. They keep the references.
+std::vector<Action> all_actions(Editor& editor, UiState& state);
+
+}  // namespace foldless
