@@ -26,6 +26,9 @@ bool has_texture(const Editor& e) { return !e.document().texture.empty(); }
 bool can_undo(const Editor& e) { return e.draft().is_editing() || e.draft().history().can_undo(); }
 bool can_redo(const Editor& e) { return e.draft().history().can_redo(); }
 bool is_scrubbed(const Editor& e) { return e.playback().scrubbed().has_value(); }
+bool can_play(const Editor& e) {
+  return e.playback().can_scrub() && e.playback().iterations().size() > 1;
+}
 bool is_solving(const Editor& e) { return e.playback().is_solving(); }
 bool is_diff_shown(const Editor& e) { return e.view().remesh_diff().is_shown(); }
 bool is_diff_linked(const Editor& e) {
@@ -186,6 +189,8 @@ std::vector<Command> solve_commands() {
       in_race(repeating({"solve.back", "Solve", "Previous iteration", {{Key::comma, kNone}}, can_go_back, transport<&Race::step_back, &Playback::step_back>})),
       in_race({"solve.first", "Solve", "First iteration", {{Key::comma, kShift}}, can_go_to_first, transport<&Race::first_tick, &Playback::first>}),
       in_race({"solve.last", "Solve", "Newest iteration", {{Key::period, kShift}}, can_go_to_last, transport<&Race::last_tick, &Playback::last>}),
+      {"solve.play", "Solve", "Play the iterations", {{Key::p, kNone}}, can_play, call<&Playback::toggle_play>, [](const Editor& e) { return e.playback().is_playing(); }},
+      {"solve.loop", "Solve", "Play them again and again", {{Key::p, kShift}}, has_mesh, call<&Playback::toggle_loop>, [](const Editor& e) { return e.playback().loops(); }},
       {"solve.use", "Solve", "Use this iteration", {{Key::enter, kNone}}, is_scrubbed, call<&Playback::use_iteration>},
       {"stuck.toggle", "Solve", "Why is it stuck?", {{Key::w, kNone}}, has_handles, call<&StuckHelp::toggle>, [](const Editor& e) { return e.stuck().is_shown(); }},
       {"stuck.flip", "Solve", "Flip the edges in the way", {{Key::f, kShift}}, is_stuck, call<&StuckHelp::flip_blocking>},

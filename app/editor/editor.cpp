@@ -31,6 +31,7 @@ void Editor::receive(const InputEvent& event, double now) {
 bool Editor::update(double now) {
   messages_.tick(now);
   draft_.update();
+  playback_.update();
   files_.update();
   if (race_.update(now)) messages_.redraw();
   stuck_.update(!playback_.is_solving() && !draft_.is_editing() && !draft_.look_back() &&
@@ -40,7 +41,8 @@ bool Editor::update(double now) {
 
 std::optional<double> Editor::next_wake() const {
   std::optional<double> next;
-  for (const auto& wake : {race_.next_wake(), messages_.next_wake(), files_.autosave().next_wake()})
+  for (const auto& wake : {race_.next_wake(), messages_.next_wake(), files_.autosave().next_wake(),
+                           playback_.next_wake()})
     if (wake) next = std::min(next.value_or(*wake), *wake);
   return next;
 }
@@ -59,6 +61,7 @@ void Editor::escape() {
   if (race_.is_open()) return toggle_race();
   if (input_.cancel_gesture()) return;
   if (playback_.is_solving()) return playback_.stop();
+  if (playback_.is_playing()) return playback_.toggle_play();
   if (draft_.look_back()) return draft_.look_at_newest();
   selection().select_none();
 }

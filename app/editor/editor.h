@@ -50,8 +50,8 @@ class Editor {
   std::optional<double> next_wake() const;
   /// Runs a command of the table if it is enabled; returns whether it was.
   bool run_command(std::string_view name);
-  /// Stages of Esc: leave import, recovery or race, cancel the gesture, stop solving, leave the
-  /// iteration that is shown, deselect.
+  /// Stages of Esc: leave import, recovery or race, cancel the gesture, stop solving, stop
+  /// playing, leave the iteration that is shown, deselect.
   void escape();
 
   // Its parts.

@@ -37,6 +37,11 @@ std::optional<std::size_t> Playback::scrubbed() const {
 }
 
 void Playback::scrub(std::size_t index) {
+  next_.reset();
+  show(index);
+}
+
+void Playback::show(std::size_t index) {
   if (!can_scrub()) return;
   if (index + 1 >= iterations().size()) return draft_.look_at_newest();
   const auto snapshot = draft_.solving().snapshot_of(index);
@@ -64,7 +69,33 @@ void Playback::step_back() {
 
 void Playback::first() { scrub(0); }
 
-void Playback::last() { draft_.look_at_newest(); }
+void Playback::last() {
+  next_.reset();
+  draft_.look_at_newest();
+}
+
+void Playback::toggle_play() {
+  messages_.redraw();
+  if (is_playing()) return next_.reset();
+  if (!can_scrub() || iterations().size() < 2) return;
+  if (!scrubbed()) show(0);
+  next_ = messages_.now() + 1 / pace_.value_or(kFullSpeed);
+}
+
+void Playback::update() {
+  if (!is_playing()) return;
+  if (!can_scrub()) return next_.reset();
+  const double period = 1 / pace_.value_or(kFullSpeed);
+  while (is_playing() && messages_.now() >= *next_) {
+    *next_ = std::max(*next_ + period, messages_.now() - period);  // a slow frame drops some
+    if (const auto shown = scrubbed())
+      show(*shown + 1);
+    else if (loops_)
+      show(0);
+    else
+      next_.reset();
+  }
+}
 
 void Playback::use_iteration() {
   draft_.interrupt();

@@ -39,11 +39,28 @@ class Playback {
   void last();
   void use_iteration();  ///< makes what is shown the newest state, an undo step
 
+  /// Plays the iterations from the one that is shown, from the first at the end; or stops. At the
+  /// pace, or kFullSpeed a second.
+  void toggle_play();
+  bool is_playing() const { return next_.has_value(); }
+  void toggle_loop() { loops_ = !loops_; }
+  bool loops() const { return loops_; }
+  /// Goes on when it is time; ends when the solver goes on or an edit begins.
+  void update();
+  /// When update() has something to do, if ever. [s]
+  std::optional<double> next_wake() const { return next_; }
+
+  static constexpr double kFullSpeed = 24;  ///< iterations a second
+
  private:
+  void show(std::size_t index);
+
   Draft& draft_;
   Race& race_;
   Messages& messages_;
   std::optional<double> pace_;
+  std::optional<double> next_;  ///< when the next iteration is shown; nothing: it does not play [s]
+  bool loops_ = false;
 };
 
 }  // namespace foldless

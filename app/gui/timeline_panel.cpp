@@ -6,6 +6,7 @@
 #include "app/editor/commands.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
+#include "render/theme.h"
 
 namespace foldless {
 namespace {
@@ -39,6 +40,33 @@ void draw_transport(Editor& editor, const Look& look) {
   command_icon("solve.step", Icon::step, editor, look);
   command_icon("solve.last", Icon::last, editor, look);
   command_icon("solve.stop", Icon::stop, editor, look);
+  if (editor.race().is_open()) return;
+  command_icon("solve.play", editor.playback().is_playing() ? Icon::pause : Icon::film, editor,
+               look);
+}
+
+/// Ticks on the scrubber, the last item, where edges were flipped or split.
+void draw_marks(const Editor& editor, const PanelContext& context) {
+  const auto& iterations = editor.playback().iterations();
+  if (iterations.size() < 2) return;
+  const Look& look = context.look;
+  const CanvasColours& colours = canvas_colours(context.state.settings.theme);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  // Where the middle of the knob stands, which is as wide as a step where there are few.
+  const auto count = static_cast<float>(iterations.size());
+  const float width = high.x - low.x - 4;
+  const float knob = std::max(width / count, ImGui::GetStyle().GrabMinSize);
+  const float margin = 2 + knob / 2, step = (width - knob) / (count - 1);
+  for (std::size_t i = 0; i < iterations.size(); ++i) {
+    const Iteration before = i > 0 ? iterations[i - 1] : Iteration{};
+    const bool has_split = iterations[i].splits > before.splits;
+    if (!has_split && iterations[i].flips <= before.flips) continue;
+    const glm::vec4 colour = has_split ? colours.split : colours.flipped;
+    const float x = low.x + margin + step * static_cast<float>(i);
+    ImGui::GetWindowDrawList()->AddLine({x, high.y - look.px(4)}, {x, high.y},
+                                        packed({colour.r, colour.g, colour.b, colour.a}),
+                                        std::max(1.0F, look.px(1.2F)));
+  }
 }
 
 void draw_pace(Editor& editor, const Look& look) {
@@ -58,7 +86,8 @@ void draw_pace(Editor& editor, const Look& look) {
   tooltip("Pace: iterations a second, so that a solve that takes 5 ms can be watched.", look);
 }
 
-void draw_scrubber(Editor& editor, const Look& look, float width) {
+void draw_scrubber(Editor& editor, const PanelContext& context, float width) {
+  const Look& look = context.look;
   const int count = static_cast<int>(editor.playback().iterations().size());
   ImGui::SetNextItemWidth(width);
   ImGui::BeginDisabled(!editor.playback().can_scrub());
@@ -74,8 +103,10 @@ void draw_scrubber(Editor& editor, const Look& look, float width) {
     editor.playback().scrub(static_cast<std::size_t>(std::max(shown, 1) - 1));
   ImGui::PopStyleColor();
   ImGui::EndDisabled();
+  draw_marks(editor, context);
   tooltip(editor.playback().can_scrub()
-              ? "Drag through the iterations since the last edit ( , and . step)."
+              ? "Drag through the iterations since the last edit ( , and . step, P plays). Ticks "
+                "mark flips of edges, orange ones splits."
               : "Pause or finish solving to go through its iterations.",
           look);
 }
@@ -116,7 +147,7 @@ void draw_timeline_panel(Editor& editor, const PanelContext& context) {
     if (editor.race().is_open())
       draw_race_scrubber(editor, look, width);
     else
-      draw_scrubber(editor, look, width);
+      draw_scrubber(editor, context, width);
     if (has_use) {
       ImGui::SameLine();
       if (main_button("Use this", look)) editor.run_command("solve.use");

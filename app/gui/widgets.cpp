@@ -64,6 +64,10 @@ void draw_icon(const IconBrush& b, Icon icon) {
       break;
     case Icon::up: draw_up(b); break;
     case Icon::reset: draw_reset(b); break;
+    case Icon::film:
+      b.list.AddRect(b.at(0.06F, 0.14F), b.at(0.94F, 0.86F), b.colour, 0, 0, b.size * 0.12F);
+      b.right_triangle(0.36F, 0.72F);
+      break;
   }
 }
 

@@ -11,7 +11,7 @@
 namespace foldless {
 
 /// Pictures drawn with lines, so that they need no icon font and are sharp at every scale.
-enum class Icon { play, pause, step, stop, first, back, last, up, reset };
+enum class Icon { play, pause, step, stop, first, back, last, up, reset, film };
 
 /// A square button with a picture.
 struct IconButton {
