@@ -13,8 +13,10 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -172,19 +174,24 @@ class RealWindow : public testing::Test {
   /// Moves the pointer in small steps, as a hand does.
   void drag(int x, int y, int dx, int dy) {
     constexpr int kSteps = 10;
-    tool("mousemove " + std::to_string(x) + " " + std::to_string(y) + " sleep 0.2 mousedown 1");
+    tool(move_to(x, y) + " sleep 0.2 mousedown 1");
     for (int i = 1; i <= kSteps; ++i)
-      tool("sleep 0.05 mousemove " + std::to_string(x + dx * i / kSteps) + " " +
-           std::to_string(y + dy * i / kSteps));
+      tool("sleep 0.05 " + move_to(x + dx * i / kSteps, y + dy * i / kSteps));
     tool("sleep 0.2 mouseup 1");
   }
+  static std::string move_to(int x, int y) {
+    std::ostringstream words;
+    words << "mousemove " << x << " " << y;
+    return words.str();
+  }
 
-  /// The newest copy of unsaved work, or empty.
+  /// The newest copy of unsaved work, or empty. The program may remove one meanwhile.
   std::filesystem::path copy() const {
+    using Files = std::filesystem::directory_iterator;
     std::filesystem::path newest;
-    const std::filesystem::path root = folder_ / "foldless/autosave";
-    if (std::filesystem::exists(root))
-      for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
+    std::error_code gone;
+    for (const auto& folder : Files(folder_ / "foldless/autosave", gone))
+      for (const auto& entry : Files(folder, gone))
         if (entry.path().filename().string().starts_with("0"))
           newest = std::max(newest, entry.path());
     return newest;
