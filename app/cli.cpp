@@ -20,6 +20,7 @@ struct Runner {
   int operator()(const RenderCall& call) const { return render(call); }
   int operator()(const MeshCall& call) const { return mesh(call); }
   int operator()(const CheckCall& call) const { return check(call); }
+  int operator()(const CompareCall& call) const { return compare(call); }
   int operator()(const BenchCall& call) const { return bench(call); }
   int operator()(const TextCall& call) const {
     std::cout << call.text;

@@ -71,6 +71,16 @@ CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, bool& is_tra
       ->type_name("IMAGE");
   render->add_option("--samples", call.figure.samples, "samples a pixel, 4 when absent")
       ->type_name("N");
+  render->add_option("--theme", texts.theme, "light (when absent), dark or contrast")
+      ->type_name("NAME");
+  render->add_option("--background", texts.background, "colour behind the drawing")
+      ->type_name("#RRGGBB");
+  render
+      ->add_option("--camera", texts.camera,
+                   "the point of the plane in the middle, and pixels a unit of length")
+      ->type_name("X,Y,ZOOM");
+  render->add_option("--line-width", texts.line_width, "factor on the width of edges")
+      ->type_name("FACTOR");
   render->add_flag("--transparent", is_transparent, "transparent background");
   render->add_flag("--miniature", call.figure.miniature,
                    "the deformed mesh once more, small, with its checkerboard alone");
@@ -102,6 +112,19 @@ CLI::App* add_check(CLI::App& app, CheckCall& call) {
   check->add_option("DEFORMED", call.deformed, "the same triangles, deformed")->required();
   check->add_option("SCENE", call.scene, "scene whose handles are checked too");
   return check;
+}
+
+CLI::App* add_compare(CLI::App& app, CompareCall& call) {
+  CLI::App* compare = app.add_subcommand("compare", "tell whether two pictures are alike");
+  compare->add_option("A", call.first, "PNG, JPEG or WebP")->required();
+  compare->add_option("B", call.second, "the other one")->required();
+  compare
+      ->add_option("--tolerance", call.tolerance,
+                   "grey levels by which a channel may differ, 0 when absent")
+      ->type_name("T");
+  compare->add_option("--diff", call.diff, "picture of A, pale, with what differs in red")
+      ->type_name("OUT.png");
+  return compare;
 }
 
 CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
@@ -149,6 +172,8 @@ void add_examples(CLI::App& app, const std::string& program) {
   app.get_subcommand("mesh")->footer("Example:\n  " + program + " mesh " +
                                      sample("assets/images/editor.png") + " -o drawing.json && " +
                                      program + " drawing.json");
+  app.get_subcommand("compare")->footer("Example:\n  " + program +
+                                        " compare before.png after.png --tolerance 2");
   app.get_subcommand("check")->footer("Example:\n  " + solved + " && " + program +
                                       " check coarse_disk/rest.obj coarse_disk/deformed.obj");
 }
@@ -164,6 +189,7 @@ Call parse_arguments(int argc, const char* const* argv) {
   RenderCall render_call;
   MeshCall mesh_call;
   CheckCall check_call;
+  CompareCall compare_call;
   BenchCall bench_call;
   Texts texts;
   bool is_transparent = false;
@@ -173,6 +199,7 @@ Call parse_arguments(int argc, const char* const* argv) {
   const CLI::App* render = add_render(app, render_call, texts, is_transparent);
   const CLI::App* mesh = add_mesh(app, mesh_call);
   const CLI::App* check = add_check(app, check_call);
+  const CLI::App* compare = add_compare(app, compare_call);
   const CLI::App* bench = add_bench(app, bench_call, texts);
   add_examples(app, program);
   try {
@@ -194,6 +221,7 @@ Call parse_arguments(int argc, const char* const* argv) {
   }
   if (mesh->parsed()) return mesh_call;
   if (check->parsed()) return check_call;
+  if (compare->parsed()) return compare_call;
   if (bench->parsed()) {
     read_bench(texts, bench_call);
     return bench_call;

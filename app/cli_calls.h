@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -45,6 +46,8 @@ struct RenderCall {
   std::filesystem::path picture;
   std::optional<std::filesystem::path> texture;  ///< instead of that of the scene
   FigureOptions figure;
+  /// Red, green, blue behind the drawing; absent: that of the theme, or none.
+  std::optional<std::array<std::uint8_t, 3>> background;
 };
 
 /// `foldless mesh IMAGE -o OUT`; what is absent follows from the image
@@ -59,6 +62,13 @@ struct CheckCall {
   std::filesystem::path rest;
   std::filesystem::path deformed;
   std::optional<std::filesystem::path> scene;
+};
+
+/// `foldless compare A B`
+struct CompareCall {
+  std::filesystem::path first, second;        ///< images
+  int tolerance = 0;                          ///< grey levels by which a channel may differ
+  std::optional<std::filesystem::path> diff;  ///< picture of what differs
 };
 
 /// `foldless bench [SCENE...]`
@@ -79,8 +89,8 @@ struct TextCall {
   std::string text;
 };
 
-using Call =
-    std::variant<EditorCall, SolveCall, RenderCall, MeshCall, CheckCall, BenchCall, TextCall>;
+using Call = std::variant<EditorCall, SolveCall, RenderCall, MeshCall, CheckCall, CompareCall,
+                          BenchCall, TextCall>;
 
 /// What the arguments ask for. Throws Error on arguments that make no call.
 Call parse_arguments(int argc, const char* const* argv);
@@ -90,6 +100,7 @@ int solve(const SolveCall& call);
 int render(const RenderCall& call);
 int mesh(const MeshCall& call);
 int check(const CheckCall& call);
+int compare(const CompareCall& call);
 int bench(const BenchCall& call);
 
 }  // namespace foldless

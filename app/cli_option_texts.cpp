@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <vector>
@@ -83,6 +84,47 @@ Layers read_layers(const std::string& text) {
   return layers;
 }
 
+Theme read_theme(const std::string& text) {
+  constexpr std::array kThemes{"dark", "light", "contrast"};  // in the order of Theme
+  const auto name = std::ranges::find(kThemes, text);
+  if (name == kThemes.end())
+    throw Error("--theme takes dark, light or contrast, not " + in_quotes(text));
+  return static_cast<Theme>(name - kThemes.begin());
+}
+
+Camera read_camera(const std::string& text) {
+  const std::vector<std::string> items = items_of(text);
+  std::array<double, 3> numbers{};
+  bool is_good = items.size() == numbers.size();
+  constexpr double kFarthest = 1e100;
+  for (std::size_t i = 0; is_good && i < numbers.size(); ++i) {
+    const auto number = parse_number(items[i]);
+    is_good = number && std::abs(*number) < kFarthest;
+    if (number) numbers[i] = *number;
+  }
+  if (!is_good || !(numbers[2] > 1 / kFarthest))
+    throw Error("--camera takes X,Y,ZOOM, such as 0.5,0,800, with ZOOM pixels a unit of length " +
+                std::string("above 0, not ") + in_quotes(text));
+  return {{numbers[0], numbers[1]}, numbers[2]};
+}
+
+double read_line_width(const std::string& text) {
+  const auto factor = parse_number(text);
+  if (!factor || !(*factor > 0 && *factor <= 100))
+    throw Error("--line-width takes a factor above 0, at most 100, not " + in_quotes(text));
+  return *factor;
+}
+
+std::array<std::uint8_t, 3> read_colour(const std::string& text) {
+  const bool is_colour = text.size() == 7 && text[0] == '#' &&
+                         text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (!is_colour) throw Error("--background takes a colour as #RRGGBB, not " + in_quotes(text));
+  std::array<std::uint8_t, 3> colour{};
+  for (std::size_t i = 0; i < colour.size(); ++i)
+    colour[i] = static_cast<std::uint8_t>(std::stoi(text.substr(1 + 2 * i, 2), nullptr, 16));
+  return colour;
+}
+
 }  // namespace
 
 std::string words_of(std::span<const std::string_view> words) {
@@ -118,6 +160,12 @@ void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
   if (!texts.size.empty()) read_size(texts.size, call.figure);
   if (!texts.view.empty()) call.figure.view = read_view(texts.view);
   if (!texts.layers.empty()) call.figure.style.layers = read_layers(texts.layers);
+  if (!texts.theme.empty()) call.figure.style.theme = read_theme(texts.theme);
+  if (!texts.camera.empty()) call.figure.camera = read_camera(texts.camera);
+  if (!texts.line_width.empty()) call.figure.style.line_width = read_line_width(texts.line_width);
+  if (!texts.background.empty()) call.background = read_colour(texts.background);
+  if (is_transparent && call.background)
+    throw Error("--background and --transparent exclude each other");
   if (call.figure.samples < 1) throw Error("--samples takes a number of 1 or more");
   if (is_transparent) call.figure.style.background = Background::transparent;
 }

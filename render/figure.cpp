@@ -87,8 +87,11 @@ std::vector<Camera> cameras_of(const Snapshot& snapshot, const FigureOptions& op
                                  kMargin * options.style.ui_scale));
     if (!pane.is_miniature) scale = std::min(scale, cameras.back().pixels_per_unit);
   }
-  for (std::size_t i = 0; i < panes.size(); ++i)
-    if (!panes[i].is_miniature) cameras[i].pixels_per_unit = scale;
+  for (std::size_t i = 0; i < panes.size(); ++i) {
+    if (panes[i].is_miniature) continue;
+    cameras[i].pixels_per_unit = scale;
+    if (options.camera) cameras[i] = *options.camera;
+  }
   return cameras;
 }
 

@@ -31,8 +31,9 @@ struct FigureOptions {
   ViewOptions style = figure_style();            ///< its pose is set from `view`
   std::shared_ptr<const TextureLevels> texture;  ///< null: the checkerboard
   std::optional<Box> texture_place;              ///< see SceneRenderer::set_texture()
-  std::optional<Box> frame;  ///< world box to show; absent: the mesh and its targets
-  bool miniature = false;    ///< the deformed mesh once more, small, filled, without its edges
+  std::optional<Box> frame;      ///< world box to show; absent: the mesh and its targets
+  std::optional<Camera> camera;  ///< of every pane but a miniature; absent: it shows the frame
+  bool miniature = false;        ///< the deformed mesh once more, small, filled, without its edges
 };
 
 /// Draws snapshots off screen, any number of them in one context.

@@ -14,13 +14,17 @@ namespace {
 
 constexpr float kWireFade = 9;  // design pixels; edges of a mesh finer than this grow fainter
 
+float line_width(float width, const ViewOptions& options) {
+  return width * static_cast<float>(options.line_width);
+}
+
 }  // namespace
 
 struct SceneRenderer::Parts {
   explicit Parts(const std::filesystem::path& shader_folder)
       : lines(shader_folder), fill(shader_folder), markers(shader_folder) {}
 
-  void draw_rest(const Frame& frame, const CanvasColours& colours) const;
+  void draw_rest(const Frame& frame, const ViewOptions& options) const;
   void prepare_heat(const Snapshot& snapshot, const ViewOptions& options);
   void draw_inside(const Frame& frame, std::size_t sheet, const ViewOptions& options) const;
   void draw_edges(const Frame& frame, std::size_t sheet, const ViewOptions& options) const;
@@ -32,8 +36,10 @@ struct SceneRenderer::Parts {
   std::optional<HeatRange> heat_range;
 };
 
-void SceneRenderer::Parts::draw_rest(const Frame& frame, const CanvasColours& colours) const {
-  lines.begin(frame, {.colour = colours.rest, .width = 1.5F, .has_round_ends = true});
+void SceneRenderer::Parts::draw_rest(const Frame& frame, const ViewOptions& options) const {
+  const glm::vec4& colour = canvas_colours(options.theme).rest;
+  lines.begin(frame,
+              {.colour = colour, .width = line_width(1.5F, options), .has_round_ends = true});
   mesh.draw_rest_boundary();
 }
 
@@ -67,18 +73,23 @@ void SceneRenderer::Parts::draw_edges(const Frame& frame, std::size_t sheet,
   if (options.layers.wireframe) {
     // Without a fill the edges lie on the canvas and take the colour that stands out there.
     const glm::vec4& colour = is_filled ? colours.wire : colours.rest;
-    lines.begin(frame, {.colour = colour, .width = 1, .fade_below = kWireFade});
+    lines.begin(frame,
+                {.colour = colour, .width = line_width(1, options), .fade_below = kWireFade});
     mesh.draw_edges(EdgeSet::interior, sheet);
   }
   if (options.layers.boundary) {
     const glm::vec4& colour = is_filled ? colours.boundary : colours.text;
-    lines.begin(frame, {.colour = colour, .width = 2, .has_round_ends = true});
+    lines.begin(frame, {.colour = colour, .width = line_width(2, options), .has_round_ends = true});
     mesh.draw_edges(EdgeSet::boundary, sheet);
   }
   if (options.layers.remeshed) {
-    lines.begin(frame, {.colour = colours.casing, .width = 4.5F, .has_round_ends = true});
+    lines.begin(
+        frame,
+        {.colour = colours.casing, .width = line_width(4.5F, options), .has_round_ends = true});
     mesh.draw_edges(EdgeSet::flipped, sheet);
-    lines.begin(frame, {.colour = colours.flipped, .width = 2.25F, .has_round_ends = true});
+    lines.begin(
+        frame,
+        {.colour = colours.flipped, .width = line_width(2.25F, options), .has_round_ends = true});
     mesh.draw_edges(EdgeSet::flipped, sheet);
   }
 }
@@ -114,7 +125,7 @@ void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
   const Frame frame{clip_transform(view.camera, viewport, parts_->mesh.local()), viewport,
                     static_cast<float>(options.ui_scale)};
   const MarkerScene scene{snapshot, view, options, parts_->mesh.local()};
-  if (options.layers.rest && options.pose != Pose::rest) parts_->draw_rest(frame, colours);
+  if (options.layers.rest && options.pose != Pose::rest) parts_->draw_rest(frame, options);
   parts_->prepare_heat(snapshot, options);
   // Whatever layers are on: a map that is not valid shows it.
   const bool shows_folds = snapshot.folded_triangles > 0 && options.pose == Pose::deformed;

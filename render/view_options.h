@@ -67,7 +67,8 @@ struct ViewOptions {
   Theme theme = Theme::dark;
   Background background = Background::theme;
   Pose pose = Pose::deformed;
-  double ui_scale = 1;  ///< framebuffer pixels in one design pixel; widths and radii grow with it
+  double line_width = 1;  ///< factor on the widths of edges
+  double ui_scale = 1;    ///< framebuffer pixels in one design pixel; widths and radii grow with it
 
   bool operator==(const ViewOptions&) const = default;
 };
