@@ -65,6 +65,7 @@ DocumentFiles& part_with(void (DocumentFiles::*)(), Editor& e) { return e.files(
 Selection& part_with(void (Selection::*)(), Editor& e) { return e.selection(); }
 CanvasView& part_with(void (CanvasView::*)(), Editor& e) { return e.view(); }
 Playback& part_with(void (Playback::*)(), Editor& e) { return e.playback(); }
+StiffnessBrush& part_with(void (StiffnessBrush::*)(), Editor& e) { return e.brush(); }
 StuckHelp& part_with(void (StuckHelp::*)(), Editor& e) { return e.stuck(); }
 
 /// A member function of a part as an action.
@@ -176,6 +177,8 @@ std::vector<Command> handle_commands() {
       nudging("handle.right", "Nudge right", Key::right, [](Editor& e) { nudge(e, {1, 0}); }),
       nudging("handle.up", "Nudge up", Key::up, [](Editor& e) { nudge(e, {0, 1}); }),
       nudging("handle.down", "Nudge down", Key::down, [](Editor& e) { nudge(e, {0, -1}); }),
+      {"stiffness.paint", "Handles", "Paint stiffness", {{Key::b, kNone}}, has_mesh, call<&StiffnessBrush::toggle>, [](const Editor& e) { return e.brush().is_on(); }},
+      {"stiffness.clear", "Handles", "Remove all stiffness", {}, [](const Editor& e) { return e.brush().can_clear(); }, call<&StiffnessBrush::clear>},
       {"handle.forward", "Handles", "Bring forward", {{Key::right_bracket, kNone}}, has_selection, bring_forward},
       {"handle.back", "Handles", "Send back", {{Key::left_bracket, kNone}}, has_selection, send_back},
   };

@@ -53,6 +53,7 @@ Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& 
       energy_(problem.energy),
       parameters_(problem.parameters),
       handles_(problem.handles),
+      stiffness_(problem.mesh.stiffness()),
       original_(original_of(problem)),
       followers_(*original_.triangles, problem.mesh.rest(), handles_),
       diagonal_(active_diagonal(problem.mesh.triangles(), problem.mesh.rest(), problem.handles)) {
@@ -118,8 +119,9 @@ std::shared_ptr<const Snapshot> Run::with_handles(const Snapshot& snapshot) cons
 }
 
 Problem Run::resumed() const {
-  return {MeshPair(*valid_->triangles, *valid_->rest, valid_->deformed), energy_, handles_,
-          parameters_, original_};
+  MeshPair mesh(*valid_->triangles, *valid_->rest, valid_->deformed);
+  mesh.set_stiffness(stiffness_);
+  return {std::move(mesh), energy_, handles_, parameters_, original_};
 }
 
 }  // namespace foldless

@@ -71,6 +71,7 @@ class Run {
   const Density* energy_;
   Parameters parameters_;
   std::vector<Handle> handles_;
+  std::shared_ptr<const Stiffness> stiffness_;
   OriginalMesh original_;
   Followers followers_;
   double diagonal_;  ///< D, input units

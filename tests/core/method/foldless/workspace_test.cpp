@@ -47,6 +47,16 @@ TEST(Workspace, SnapsExactlyWhereNoTriangleFoldsAndTheEnergyGrowsByLessThanHalf)
       << "the claim would be empty: " << snapped << ' ' << folded << ' ' << grown;
 }
 
+TEST(Workspace, StaysAsStiffWithAnotherMesh) {
+  OwnWorkspace own = test::arrived_workspace(1);
+  Workspace& work = own.work;
+  const auto stiffness = std::make_shared<const Stiffness>(
+      std::vector<StiffStroke>{{work.mesh.rest().col(0), 0.1, 10}});
+  work.mesh.set_stiffness(stiffness);
+  work.set_mesh({work.mesh.triangles(), work.mesh.rest()});
+  EXPECT_EQ(work.mesh.stiffness(), stiffness);
+}
+
 TEST(Workspace, DoesNotSnapWhereAGapAtTheBoundaryWouldClose) {
   const test::Fixture f = test::notched_disk(0.4);
   const MeshPair mesh(f.triangles, f.rest);
