@@ -18,6 +18,7 @@ Editor::Editor(const EditorOptions& options)
       files_({draft_, view_, race_, messages_}, options.state_folder, options.wake),
       stuck_(draft_, messages_),
       brush_(draft_),
+      comparison_(draft_, messages_),
       input_(*this) {
   draft_.on_interrupt([this] { return input_.cancel_gesture(); });
 }

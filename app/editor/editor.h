@@ -15,6 +15,7 @@
 #include "app/editor/handle_view.h"
 #include "app/editor/messages.h"
 #include "app/editor/playback.h"
+#include "app/editor/pose_comparison.h"
 #include "app/editor/race.h"
 #include "app/editor/status.h"
 #include "app/editor/stiffness_brush.h"
@@ -68,6 +69,8 @@ class Editor {
   const CanvasView& view() const { return view_; }
   Playback& playback() { return playback_; }
   const Playback& playback() const { return playback_; }
+  PoseComparison& comparison() { return comparison_; }
+  const PoseComparison& comparison() const { return comparison_; }
   StiffnessBrush& brush() { return brush_; }
   const StiffnessBrush& brush() const { return brush_; }
   StuckHelp& stuck() { return stuck_; }
@@ -104,6 +107,7 @@ class Editor {
   DocumentFiles files_;
   StuckHelp stuck_;
   StiffnessBrush brush_;
+  PoseComparison comparison_;
   EditorInput input_;
 };
 

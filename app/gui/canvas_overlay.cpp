@@ -151,6 +151,12 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const CanvasBrush brush{list, canvas};
   list.PushClipRect({canvas.x, canvas.y}, {canvas.x + canvas.width, canvas.y + canvas.height});
+  if (editor.comparison().is_held()) {
+    const bool is_kept = editor.comparison().kept() != nullptr;
+    draw_plate_on_top(is_kept ? "The kept pose" : "The rest shape", brush, context.look);
+    return list.PopClipRect();
+  }
+  draw_outlines(editor, brush, context.look);
   draw_heat_notes(editor, context, brush);
   if (editor.view().shown_options().layers.handles) draw_distances(editor, brush, context.look);
   if (!editor.view().are_overlays_hidden()) draw_handle_notes(editor, brush, context);

@@ -50,6 +50,8 @@ void draw_iterations_panel(Editor& editor, const PanelContext& context);
 // Dialogs.
 
 void draw_cheat_sheet(Editor& editor, const PanelContext& context);
+/// All messages that were shown, as text that can be copied.
+void draw_message_log(Editor& editor, const PanelContext& context);
 void draw_about(const PanelContext& context);
 void draw_unsaved_question(Editor& editor, const PanelContext& context);
 
