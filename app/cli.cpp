@@ -13,9 +13,15 @@ namespace {
 
 /// Runs whatever was called.
 struct Runner {
-  const OpenEditor& open_editor;
+  const EditorCalls& editor;
 
-  int operator()(const EditorCall& call) const { return open_editor(call.file); }
+  int operator()(const EditorCall& call) const { return editor.open(call.file, call.record); }
+  int operator()(const ReplayCall& call) const {
+    const int count = editor.replay(call.session, call.shots, call.size);
+    std::cout << count << (count == 1 ? " picture" : " pictures") << " in " << call.shots.string()
+              << '\n';
+    return kExitDone;
+  }
   int operator()(const SolveCall& call) const { return solve(call); }
   int operator()(const RenderCall& call) const { return render(call); }
   int operator()(const MeshCall& call) const { return mesh(call); }
@@ -37,10 +43,10 @@ std::string line_of(std::string message) {
 
 }  // namespace
 
-int run_command_line(int argc, const char* const* argv, const OpenEditor& open_editor) {
+int run_command_line(int argc, const char* const* argv, const EditorCalls& editor) {
   try {
     prepare_streams();
-    const int status = std::visit(Runner{open_editor}, parse_arguments(argc, argv));
+    const int status = std::visit(Runner{editor}, parse_arguments(argc, argv));
     expect_output_arrived();
     return status;
   } catch (const std::bad_alloc&) {

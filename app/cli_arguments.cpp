@@ -127,6 +127,18 @@ CLI::App* add_compare(CLI::App& app, CompareCall& call) {
   return compare;
 }
 
+CLI::App* add_replay(CLI::App& app, ReplayCall& call, Texts& texts) {
+  CLI::App* replay =
+      app.add_subcommand("replay", "play a recorded session in the editor, without a window");
+  replay->add_option("SESSION", call.session, "JSON lines that --record wrote")->required();
+  replay->add_option("--shots", call.shots, "folder for the pictures; made if need be")
+      ->required()
+      ->type_name("DIR");
+  replay->add_option("--size", texts.size, "of the window, instead of the session's")
+      ->type_name("WxH");
+  return replay;
+}
+
 CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
   CLI::App* bench = app.add_subcommand("bench", "run methods side by side over many scenes");
   bench->add_option("SCENE", call.scenes, "scene files, where no suite is named");
@@ -172,8 +184,12 @@ void add_examples(CLI::App& app, const std::string& program) {
   app.get_subcommand("mesh")->footer("Example:\n  " + program + " mesh " +
                                      sample("assets/images/editor.png") + " -o drawing.json && " +
                                      program + " drawing.json");
-  app.get_subcommand("compare")->footer("Example:\n  " + program +
-                                        " compare before.png after.png --tolerance 2");
+  app.get_subcommand("compare")->footer(
+      "Example:\n  " + program + " render " + sample("assets/scenes/welcome.json") +
+      " -o picture.png && " + program + " compare picture.png picture.png --tolerance 2");
+  app.get_subcommand("replay")->footer(
+      "Example:\n  " + program + " " + sample("assets/scenes/welcome.json") +
+      " --record session.jsonl && " + program + " replay session.jsonl --shots shots");
   app.get_subcommand("check")->footer("Example:\n  " + solved + " && " + program +
                                       " check coarse_disk/rest.obj coarse_disk/deformed.obj");
 }
@@ -185,6 +201,7 @@ Call parse_arguments(int argc, const char* const* argv) {
   CLI::App app("Deforms planar meshes by dragged handles, and never folds them.", "foldless");
   app.set_version_flag("--version", "foldless " FOLDLESS_VERSION);
   EditorCall editor;
+  ReplayCall replay_call;
   SolveCall solve_call;
   RenderCall render_call;
   MeshCall mesh_call;
@@ -195,11 +212,16 @@ Call parse_arguments(int argc, const char* const* argv) {
   bool is_transparent = false;
   app.add_option("FILE", editor.file,
                  "scene, mesh or image to open in the editor; a sample when absent");
+  app.add_option(
+         "--record", editor.record,
+         "write what is done in the editor to a file, for replay; Shift+F12 takes a picture")
+      ->type_name("SESSION");
   const CLI::App* solve = add_solve(app, solve_call, texts);
   const CLI::App* render = add_render(app, render_call, texts, is_transparent);
   const CLI::App* mesh = add_mesh(app, mesh_call);
   const CLI::App* check = add_check(app, check_call);
   const CLI::App* compare = add_compare(app, compare_call);
+  const CLI::App* replay = add_replay(app, replay_call, texts);
   const CLI::App* bench = add_bench(app, bench_call, texts);
   add_examples(app, program);
   try {
@@ -222,6 +244,10 @@ Call parse_arguments(int argc, const char* const* argv) {
   if (mesh->parsed()) return mesh_call;
   if (check->parsed()) return check_call;
   if (compare->parsed()) return compare_call;
+  if (replay->parsed()) {
+    if (!texts.size.empty()) replay_call.size = read_size(texts.size);
+    return replay_call;
+  }
   if (bench->parsed()) {
     read_bench(texts, bench_call);
     return bench_call;

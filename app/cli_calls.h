@@ -17,6 +17,14 @@ namespace foldless {
 /// `foldless [FILE]`
 struct EditorCall {
   std::optional<std::filesystem::path> file;
+  std::filesystem::path record;  ///< session to write; empty: none
+};
+
+/// `foldless replay SESSION --shots DIR`
+struct ReplayCall {
+  std::filesystem::path session;
+  std::filesystem::path shots;
+  std::optional<std::array<int, 2>> size;  ///< width and height of the window [pixels]
 };
 
 /// A parameter given on the command line: its key under `solver` of a scene file, and the value.
@@ -89,8 +97,8 @@ struct TextCall {
   std::string text;
 };
 
-using Call = std::variant<EditorCall, SolveCall, RenderCall, MeshCall, CheckCall, CompareCall,
-                          BenchCall, TextCall>;
+using Call = std::variant<EditorCall, ReplayCall, SolveCall, RenderCall, MeshCall, CheckCall,
+                          CompareCall, BenchCall, TextCall>;
 
 /// What the arguments ask for. Throws Error on arguments that make no call.
 Call parse_arguments(int argc, const char* const* argv);

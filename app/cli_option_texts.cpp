@@ -56,14 +56,6 @@ double read_seconds(const std::string& text) {
   return *seconds;
 }
 
-void read_size(const std::string& text, FigureOptions& figure) {
-  const std::size_t x = text.find('x');
-  const std::string what = "--size takes WIDTHxHEIGHT in pixels, such as 1200x900";
-  if (x == std::string::npos) throw Error(what + ", not " + in_quotes(text));
-  figure.width = positive_integer(std::string_view(text).substr(0, x), what);
-  figure.height = positive_integer(std::string_view(text).substr(x + 1), what);
-}
-
 FigureView read_view(const std::string& text) {
   if (text == "deformed") return FigureView::deformed;
   if (text == "rest") return FigureView::rest;
@@ -156,8 +148,20 @@ void read_solve(const Texts& texts, SolveCall& call) {
   if (call.threads && *call.threads < 1) throw Error("--threads takes a number of 1 or more");
 }
 
+std::array<int, 2> read_size(const std::string& text) {
+  const std::size_t x = text.find('x');
+  const std::string what = "--size takes WIDTHxHEIGHT in pixels, such as 1200x900";
+  if (x == std::string::npos) throw Error(what + ", not " + in_quotes(text));
+  return {positive_integer(std::string_view(text).substr(0, x), what),
+          positive_integer(std::string_view(text).substr(x + 1), what)};
+}
+
 void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
-  if (!texts.size.empty()) read_size(texts.size, call.figure);
+  if (!texts.size.empty()) {
+    const auto [width, height] = read_size(texts.size);
+    call.figure.width = width;
+    call.figure.height = height;
+  }
   if (!texts.view.empty()) call.figure.view = read_view(texts.view);
   if (!texts.layers.empty()) call.figure.style.layers = read_layers(texts.layers);
   if (!texts.theme.empty()) call.figure.style.theme = read_theme(texts.theme);

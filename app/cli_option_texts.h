@@ -48,6 +48,8 @@ struct Texts {
 /// What the texts say goes into the call. Throws Error, one sentence that names the option, where a
 /// text or a value of the call is not allowed.
 void read_solve(const Texts& texts, SolveCall& call);
+/// `1200x900`: width and height.
+std::array<int, 2> read_size(const std::string& text);
 void read_render(const Texts& texts, bool is_transparent, RenderCall& call);
 void read_bench(const Texts& texts, BenchCall& call);
 

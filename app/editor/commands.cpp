@@ -20,13 +20,17 @@ std::string words_of(Key key) {
     return std::string("F").append(
         std::to_string(1 + static_cast<int>(key) - static_cast<int>(Key::f1)));
   static constexpr std::array kWords = std::to_array<std::pair<Key, std::string_view>>(
-      {{Key::space, "Space"},    {Key::escape, "Esc"},     {Key::enter, "Enter"},
-       {Key::tab, "Tab"},        {Key::del, "Delete"},     {Key::backspace, "Backspace"},
-       {Key::home, "Home"},      {Key::end, "End"},        {Key::left, "Left"},
-       {Key::right, "Right"},    {Key::up, "Up"},          {Key::down, "Down"},
-       {Key::plus, "+"},         {Key::minus, "-"},        {Key::comma, ","},
-       {Key::period, "."},       {Key::slash, "/"},        {Key::backslash, "\\"},
-       {Key::left_bracket, "["}, {Key::right_bracket, "]"}});
+      {{Key::space, "Space"},    {Key::escape, "Esc"},
+       {Key::enter, "Enter"},    {Key::tab, "Tab"},
+       {Key::del, "Delete"},     {Key::backspace, "Backspace"},
+       {Key::home, "Home"},      {Key::end, "End"},
+       {Key::left, "Left"},      {Key::right, "Right"},
+       {Key::up, "Up"},          {Key::down, "Down"},
+       {Key::plus, "+"},         {Key::minus, "-"},
+       {Key::comma, ","},        {Key::period, "."},
+       {Key::slash, "/"},        {Key::backslash, "\\"},
+       {Key::left_bracket, "["}, {Key::right_bracket, "]"},
+       {Key::page_up, "PageUp"}, {Key::page_down, "PageDown"}});
   const auto* it = std::find_if(kWords.begin(), kWords.end(),
                                 [key](const auto& entry) { return entry.first == key; });
   return it == kWords.end() ? std::string() : std::string(it->second);

@@ -24,6 +24,7 @@ Draft::Draft(Messages& messages, std::function<void()> wake, std::size_t history
 
 void Draft::update() {
   if (std::exchange(targets_moved_, false)) solving_.move_targets(document_);
+  solving_.begin();
   if (!solving_.poll()) return;
   take_newest();
   messages_.redraw();

@@ -27,11 +27,16 @@ Solving::Solving(std::function<void()> wake) : worker_(std::move(wake)) {}
 void Solving::start(const Document& document) {
   if (document.is_empty() || document.handles.empty()) return hold();
   load(document);
-  if (!paused_) worker_.run();
+  begins_ = !paused_;
+}
+
+void Solving::begin() {
+  if (std::exchange(begins_, false)) worker_.run();
 }
 
 void Solving::hold() {
   worker_.stop();
+  begins_ = false;
   loaded_ = false;
   stopped_ = false;
   newest_ = nullptr;
@@ -52,6 +57,7 @@ void Solving::load(const Document& document) {
 void Solving::move_targets(const Document& document) {
   if (!loaded_) return start(document);
   worker_.set_targets(targets_of(document), angles_of(document));
+  begins_ = false;
   stopped_ = false;
   status_.state = WorkerState::running;
   if (!paused_) worker_.run();
@@ -82,6 +88,7 @@ void Solving::go_on(const Document& document) {
 
 void Solving::pause() {
   paused_ = true;
+  begins_ = false;
   worker_.pause();
 }
 
@@ -95,6 +102,7 @@ void Solving::step(const Document& document) {
 
 void Solving::stop() {
   worker_.stop();
+  begins_ = false;
   paused_ = false;
   stopped_ = loaded_;
 }

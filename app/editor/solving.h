@@ -27,8 +27,10 @@ class Solving {
  public:
   explicit Solving(std::function<void()> wake);
 
-  /// Solves a document that has another mesh or other handles than before, unless paused.
+  /// Solves a document that has another mesh or other handles than before, unless paused; from
+  /// begin() on, so that targets which move in the same frame are not too late for the first step.
   void start(const Document& document);
+  void begin();
   /// Stops, so that a document stays exactly as it is until the next call of another function.
   void hold();
   /// New targets of the same handles.
@@ -77,6 +79,7 @@ class Solving {
   bool loaded_ = false;  ///< the worker's problem is the document's
   bool paused_ = false;
   bool stopped_ = false;
+  bool begins_ = false;  ///< with begin()
   std::uint64_t generation_ = 0;
   std::uint64_t epoch_ = 0;
   WorkerStatus status_;

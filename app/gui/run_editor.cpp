@@ -11,6 +11,7 @@
 #include "app/exit_status.h"
 #include "app/gui/frame_log.h"
 #include "app/gui/samples.h"
+#include "app/gui/session_recorder.h"
 #include "app/gui/ui.h"
 #include "app/gui/window.h"
 #include "core/error.h"
@@ -58,14 +59,16 @@ Session* running = nullptr;
 /// The parts of the running program and its loop.
 class Session {
  public:
-  explicit Session(const Settings& settings)
+  Session(const Settings& settings, const std::filesystem::path& state_folder,
+          const std::filesystem::path& record)
       : window_("Foldless", {settings.window_width, settings.window_height}, settings.is_maximised),
-        editor_({.state_folder = default_state_folder(), .wake = [this] { window_.wake(); }}),
-        ui_({.state_folder = default_state_folder(),
+        editor_({.state_folder = state_folder, .wake = [this] { window_.wake(); }}),
+        ui_({.state_folder = state_folder,
              .pictures_folder = pictures_folder(),
              .clipboard = [this] { return window_.clipboard(); },
              .set_clipboard = [this](const std::string& text) { window_.set_clipboard(text); }}),
-        log_(frame_log_file()) {
+        log_(frame_log_file()),
+        recorder_(record) {
     ui_.restore(editor_);
     running = this;
     std::atexit([] {
@@ -82,6 +85,7 @@ class Session {
       editor_.files().open(*file);
     else
       editor_.files().open_sample(welcome_scene());
+    opened_ = file.value_or(welcome_scene());
     editor_.files().find_lost_work();
   }
 
@@ -109,6 +113,7 @@ class Session {
     const Extent framebuffer = window_.framebuffer_size();
     if (framebuffer.width == 0 || framebuffer.height == 0) return;
     last_start_ = clock_.now();
+    recorder_.follow(last_start_, {framebuffer, window_.size(), window_.content_scale()}, opened_);
     ui_.frame(editor_, {framebuffer, window_.size(), window_.content_scale(), last_start_});
     window_.set_title(editor_.files().title() + " – Foldless");
     window_.set_cursor(ui_.cursor());
@@ -153,7 +158,10 @@ class Session {
   }
 
   void take_events() {
-    for (const UiEvent& event : window_.take_events()) ui_.receive(event);
+    for (const UiEvent& event : window_.take_events()) {
+      recorder_.add(clock_.now(), event);
+      ui_.receive(event);
+    }
     if (window_.take_close_request()) editor_.files().close();
   }
 
@@ -162,15 +170,21 @@ class Session {
   Editor editor_;
   Ui ui_;
   FrameLog log_;
+  SessionRecorder recorder_;
+  std::filesystem::path opened_;
   Interrupt interrupt_;
   double last_start_ = 0;
 };
 
 }  // namespace
 
-int run_editor(const std::optional<std::filesystem::path>& file) {
+int run_editor(const std::optional<std::filesystem::path>& file,
+               const std::filesystem::path& record) {
   if (!has_display()) throw Error(kNoDisplay);
-  Session session(load_settings(settings_file(default_state_folder())));
+  const bool records = !record.empty();
+  const std::filesystem::path state_folder = records ? "" : default_state_folder();
+  Session session(records ? Settings() : load_settings(settings_file(state_folder)), state_folder,
+                  record);
   session.open(file);
   return session.run();
 }

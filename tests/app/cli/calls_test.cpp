@@ -28,24 +28,48 @@ int colours_of(const Image& image) {
 }
 
 TEST(EditorCall, GetsTheFileAndGivesTheStatus) {
-  const auto open_editor = [](const std::optional<std::filesystem::path>& file) {
+  const auto open_editor = [](const std::optional<std::filesystem::path>& file,
+                              const std::filesystem::path& record) {
+    EXPECT_TRUE(record.empty());
     return file ? static_cast<int>(file->string().size()) : 40;
   };
-  EXPECT_EQ(Command({}, open_editor).wait().status, 40);
-  EXPECT_EQ(Command({"abc.obj"}, open_editor).wait().status, 7);
+  EXPECT_EQ(Command({}, {open_editor, {}}).wait().status, 40);
+  EXPECT_EQ(Command({"abc.obj"}, {open_editor, {}}).wait().status, 7);
+}
+
+TEST(EditorCall, RecordsASession) {
+  const auto open_editor = [](const std::optional<std::filesystem::path>&,
+                              const std::filesystem::path& record) {
+    return static_cast<int>(record.string().size());
+  };
+  EXPECT_EQ(Command({"--record", "s.jsonl"}, {open_editor, {}}).wait().status, 7);
+}
+
+TEST(ReplayCall, GetsTheSessionTheFolderAndTheSizeAndTellsTheNumberOfPictures) {
+  const auto replay = [](const std::filesystem::path& session, const std::filesystem::path& shots,
+                         const std::optional<std::array<int, 2>>& size) {
+    return session == "s.jsonl" && shots == "out" && size == std::array{800, 600} ? 3 : 0;
+  };
+  const Ended ended =
+      Command({"replay", "s.jsonl", "--shots", "out", "--size", "800x600"}, {{}, replay}).wait();
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.out, "3 pictures in out\n");
+  EXPECT_EQ(Command({"replay", "s.jsonl"}, {{}, replay}).wait().status, 2);
 }
 
 TEST(EditorCall, SaysInALineWhyItDoesNotOpen) {
-  const auto open_editor = [](const std::optional<std::filesystem::path>&) -> int {
+  const auto open_editor = [](const std::optional<std::filesystem::path>&,
+                              const std::filesystem::path&) -> int {
     throw Error("no display:\nset DISPLAY");
   };
-  const Ended ended = Command({}, open_editor).wait();
+  const Ended ended = Command({}, {open_editor, {}}).wait();
   EXPECT_EQ(ended.status, 2);
   EXPECT_EQ(ended.err, "foldless: no display: set DISPLAY\n");
 }
 
 TEST(Help, OfEveryCallEndsWithAnExample) {
-  for (const std::string call : {"", "solve", "render", "mesh", "check", "bench"}) {
+  for (const std::string call :
+       {"", "solve", "render", "mesh", "check", "compare", "replay", "bench"}) {
     const Ended ended = call.empty() ? test::run({"--help"}) : test::run({call, "--help"});
     EXPECT_EQ(ended.status, 0);
     EXPECT_EQ(ended.err, "");

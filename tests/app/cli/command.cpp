@@ -28,12 +28,12 @@ void redirect(int stream, const fs::path& file) {
 }
 
 /// In the child process: never returns.
-[[noreturn]] void call(const std::vector<std::string>& arguments, const OpenEditor& open_editor) {
+[[noreturn]] void call(const std::vector<std::string>& arguments, const EditorCalls& editor) {
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
   std::vector<const char*> argv{"foldless"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  const int status = run_command_line(static_cast<int>(argv.size()), argv.data(), open_editor);
+  const int status = run_command_line(static_cast<int>(argv.size()), argv.data(), editor);
   std::cout.flush();
   std::cerr.flush();
   // Not exit(): the test program's own clean-up belongs to its parent.
@@ -60,8 +60,8 @@ bool Command::fork_off() {
   return true;
 }
 
-Command::Command(const std::vector<std::string>& arguments, OpenEditor open_editor) {
-  if (fork_off()) call(arguments, open_editor);
+Command::Command(const std::vector<std::string>& arguments, const EditorCalls& editor) {
+  if (fork_off()) call(arguments, editor);
 }
 
 Command::Command(const std::vector<std::string>& arguments, const fs::path& out) {

@@ -24,7 +24,7 @@ struct Ended {
 /// The program with these arguments in a process of its own, without a display.
 class Command {
  public:
-  explicit Command(const std::vector<std::string>& arguments, OpenEditor open_editor = {});
+  explicit Command(const std::vector<std::string>& arguments, const EditorCalls& editor = {});
   /// With stdout into a device, or closed where `out` is empty.
   Command(const std::vector<std::string>& arguments, const std::filesystem::path& out);
   ~Command();

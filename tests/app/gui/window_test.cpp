@@ -141,8 +141,10 @@ class RealWindow : public testing::Test {
     std::ofstream(scene_) << scene;
   }
 
-  void start_program() {
-    program_ = std::make_unique<Child>(std::vector<std::string>{FOLDLESS_PROGRAM, scene_.string()});
+  void start_program(const std::vector<std::string>& options = {}) {
+    std::vector<std::string> words{FOLDLESS_PROGRAM, scene_.string()};
+    words.insert(words.end(), options.begin(), options.end());
+    program_ = std::make_unique<Child>(words);
     ASSERT_TRUE(wait_for([this] {
       window_ = output_of("xdotool search --onlyvisible --class foldless 2>/dev/null | head -n 1");
       return !window_.empty();
@@ -226,6 +228,29 @@ TEST_F(RealWindow, MouseDragBendsTheMeshAndSavingKeepsIt) {
   EXPECT_GT(moved, 0.5) << "the drag should have bent the mesh";
   EXPECT_TRUE(is_injective(scene.state->triangles, scene.state->rest));
   EXPECT_TRUE(is_injective(scene.state->triangles, scene.state->deformed));
+}
+
+TEST_F(RealWindow, WhatWasRecordedIsReplayedWithoutAWindow) {
+  const std::string session = folder_ / "session.jsonl", shots = folder_ / "shots";
+  ASSERT_NO_FATAL_FAILURE(start_program({"--record", session}));
+  const auto written = std::filesystem::last_write_time(scene_);
+  ASSERT_NO_FATAL_FAILURE(drag(640, 400, 40, 120));
+  ASSERT_TRUE(comes_to_rest());
+  ASSERT_NO_FATAL_FAILURE(tool("key --clearmodifiers shift+F12 key --clearmodifiers ctrl+s"));
+  ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }, 20s));
+  program_.reset();
+  const std::vector<std::string_view> methods{"foldless", "paper-flip"};
+  const Scene recorded = load_scene(scene_, methods).scene;
+
+  write_scene();
+  ASSERT_EQ(std::system((std::string(FOLDLESS_PROGRAM) + " replay " + session + " --shots " +
+                         shots + " > /dev/null")
+                            .c_str()),
+            0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "shots/0001.png"));
+  const Scene replayed = load_scene(scene_, methods).scene;
+  ASSERT_EQ(recorded.handles.size(), 3U);
+  EXPECT_EQ(replayed.handles, recorded.handles);
 }
 
 TEST_F(RealWindow, CtrlQLeavesAtOnceWhenNothingIsUnsaved) {

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/replay.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "app/editor/editor.h"
+#include "app/gui/session_file.h"
+#include "app/gui/ui.h"
+#include "core/error.h"
+#include "render/offscreen.h"
+
+namespace foldless {
+namespace {
+
+constexpr double kFrameSeconds = 0.001;  ///< between frames that no event asks for
+constexpr int kMostFrames = 100;         ///< until the interface has nothing to do at once
+constexpr std::chrono::seconds kPatience{120};
+
+/// Something goes on that will change the picture by itself, and then end.
+bool is_busy(const Editor& editor) {
+  return editor.playback().is_solving() || editor.race().is_playing() ||
+         editor.files().texture_image().is_reading() || editor.files().image_import().is_busy();
+}
+
+class Player {
+ public:
+  Player(const SessionWindow& window, const std::filesystem::path& shots)
+      : window_(window),
+        offscreen_(window.framebuffer.width, window.framebuffer.height),
+        ui_({.pictures_folder = shots}),
+        shots_(shots) {
+    ui_.restore(editor_);
+  }
+
+  void open(const std::filesystem::path& file) {
+    if (!file.empty()) editor_.files().open(file);
+    rest();
+  }
+
+  void play(const SessionEntry& entry) {
+    time_ = std::max(time_, entry.time);
+    if (const auto* event = std::get_if<UiEvent>(&entry.event)) ui_.receive(*event);
+    if (const auto* window = std::get_if<SessionWindow>(&entry.event)) resize(*window);
+    rest();
+    if (const auto* shot = std::get_if<Shot>(&entry.event)) {
+      save_png(shots_ / (shot->name + ".png"), offscreen_.read());
+      ++written_;
+    }
+  }
+
+  int written() const { return written_; }
+  bool has_ended() const { return ui_.wants_to_quit(); }
+
+ private:
+  void resize(const SessionWindow& window) {
+    window_ = window;
+    offscreen_.resize(window.framebuffer.width, window.framebuffer.height);
+  }
+
+  void frame() {
+    time_ += kFrameSeconds;
+    offscreen_.bind();
+    ui_.frame(editor_, {window_.framebuffer, window_.window, window_.content_scale, time_});
+  }
+
+  /// Frames until nothing happens without an event.
+  void rest() {
+    const auto give_up = std::chrono::steady_clock::now() + kPatience;
+    do {
+      settle();
+      while (is_busy(editor_)) {
+        if (std::chrono::steady_clock::now() > give_up) throw Error("the editor did not come to rest");
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        frame();
+      }
+      settle();
+    } while (is_busy(editor_));
+  }
+
+  void settle() {
+    frame();
+    for (int i = 0; i < kMostFrames && ui_.next_frame(editor_, time_) == 0.0; ++i) frame();
+  }
+
+  SessionWindow window_;
+  Offscreen offscreen_;
+  Editor editor_;
+  Ui ui_;
+  std::filesystem::path shots_;
+  double time_ = 0;
+  int written_ = 0;
+};
+
+}  // namespace
+
+int replay_session(const ReplayOptions& options) {
+  SessionFile session = read_session(options.session);
+  if (options.size) session.window.framebuffer = session.window.window = *options.size;
+  std::error_code failure;
+  std::filesystem::create_directories(options.shots, failure);
+  if (failure) throw Error(options.shots.string() + ": " + failure.message());
+  Player player(session.window, options.shots);
+  player.open(session.file);
+  for (const SessionEntry& entry : session.entries) {
+    if (player.has_ended()) break;
+    try {
+      player.play(entry);
+    } catch (const Error& error) {
+      throw Error(options.session.string() + ':' + std::to_string(entry.line) + ": " +
+                  error.what());
+    }
+  }
+  return player.written();
+}
+
+}  // namespace foldless
