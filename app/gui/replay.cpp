@@ -71,7 +71,8 @@ class Player {
     do {
       settle();
       while (is_busy(editor_)) {
-        if (std::chrono::steady_clock::now() > give_up) throw Error("the editor did not come to rest");
+        if (std::chrono::steady_clock::now() > give_up)
+          throw Error("the editor did not come to rest");
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         frame();
       }
