@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace foldless {
 namespace {
 
-constexpr double kSmallest = 1e-12;    // keeps logarithms finite
+constexpr double kSmallest = 1e-12;  // keeps logarithms finite
+constexpr double kDecadesOfEnergy = 1e-6;
 constexpr double kLeastExtent = 1.01;  // max / min; less is rounding noise and shows as one colour
 
 /// A triangle that is turned over lies beyond every scale.
@@ -30,6 +32,7 @@ HeatRange range_of(const std::vector<double>& values, HeatMeasure measure) {
   }
   if (most == 0) return range;
   range.min = measure == HeatMeasure::conformal ? 1 : least;
+  if (measure == HeatMeasure::energy) range.min = std::max(least, kDecadesOfEnergy * most);
   range.max = std::max(most, kLeastExtent * range.min);
   return range;
 }
@@ -45,6 +48,11 @@ Distortion distortion_of(const Snapshot& snapshot, HeatMeasure measure) {
   }
   distortion.range = range_of(distortion.values, measure);
   return distortion;
+}
+
+Distortion distortion_of(std::vector<double> energy_densities) {
+  const HeatRange range = range_of(energy_densities, HeatMeasure::energy);
+  return {std::move(energy_densities), range};
 }
 
 double position_on(const HeatRange& range, double value) {

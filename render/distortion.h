@@ -16,7 +16,7 @@ struct HeatRange {
   int triangle_at_max = 0;
 };
 
-/// Distortion of each triangle, dimensionless. [σ₁/σ₂, or A′/A]
+/// Distortion of each triangle, dimensionless. [σ₁/σ₂, A′/A or ψ]
 struct Distortion {
   std::vector<double> values;  ///< one a triangle; of those turned over ∞, or 0 for the area
   HeatRange range;             ///< covers the others; conformal starts at 1
@@ -24,6 +24,10 @@ struct Distortion {
 
 /// Of the snapshot's map from rest to deformed mesh.
 Distortion distortion_of(const Snapshot& snapshot, HeatMeasure measure);
+
+/// The same of energies per rest area, which whoever knows the energy computes. The scale has six
+/// decades at most: beneath them energy is as good as none.
+Distortion distortion_of(std::vector<double> energy_densities);
 
 /// Where a value is on the scale, in [0, 1]; 0 on a scale without extent.
 double position_on(const HeatRange& range, double value);

@@ -99,7 +99,8 @@ void draw_legend(Image& image, const HeatRange& range, const ViewOptions& style)
   const glm::vec4& colour = canvas_colours(style.theme).text;
   draw_bar(image, bar, colour);
   draw_ticks(image, range, bar, style);
-  const char* title = range.measure == HeatMeasure::conformal ? "s1/s2" : "A'/A";
+  constexpr std::array kTitles{"s1/s2", "A'/A", "E/A"};  // in the order of HeatMeasure
+  const char* title = kTitles[static_cast<std::size_t>(range.measure)];
   const glm::dvec2 baseline(bar.left, bar.top - 16 * scale);
   draw_stroke_text(image, title, {baseline, kDigit * scale, colour});
 }

@@ -25,7 +25,7 @@ struct SceneRenderer::Parts {
       : lines(shader_folder), fill(shader_folder), markers(shader_folder) {}
 
   void draw_rest(const Frame& frame, const ViewOptions& options) const;
-  void prepare_heat(const Snapshot& snapshot, const ViewOptions& options);
+  void prepare_heat(const Snapshot& snapshot, const SceneView& view, const ViewOptions& options);
   void draw_inside(const Frame& frame, std::size_t sheet, const ViewOptions& options) const;
   void draw_edges(const Frame& frame, std::size_t sheet, const ViewOptions& options) const;
 
@@ -43,10 +43,14 @@ void SceneRenderer::Parts::draw_rest(const Frame& frame, const ViewOptions& opti
   mesh.draw_rest_boundary();
 }
 
-void SceneRenderer::Parts::prepare_heat(const Snapshot& snapshot, const ViewOptions& options) {
+void SceneRenderer::Parts::prepare_heat(const Snapshot& snapshot, const SceneView& view,
+                                        const ViewOptions& options) {
   heat_range.reset();
   if (!options.layers.heat) return;
-  Distortion distortion = distortion_of(snapshot, options.heat_measure);
+  const bool is_of_energy = options.heat_measure == HeatMeasure::energy;
+  if (is_of_energy && view.energy_densities.empty()) return;
+  Distortion distortion = is_of_energy ? distortion_of(view.energy_densities)
+                                       : distortion_of(snapshot, options.heat_measure);
   if (options.heat_scale) {
     distortion.range.min = options.heat_scale->front();
     distortion.range.max = options.heat_scale->back();
@@ -58,7 +62,7 @@ void SceneRenderer::Parts::prepare_heat(const Snapshot& snapshot, const ViewOpti
 void SceneRenderer::Parts::draw_inside(const Frame& frame, std::size_t sheet,
                                        const ViewOptions& options) const {
   const CanvasColours& colours = canvas_colours(options.theme);
-  if (options.layers.heat) {
+  if (heat_range) {
     fill.draw_heat(frame, mesh, sheet);
   } else if (options.layers.fill) {
     fill.draw(frame, mesh, sheet,
@@ -126,7 +130,7 @@ void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
                     static_cast<float>(options.ui_scale)};
   const MarkerScene scene{snapshot, view, options, parts_->mesh.local()};
   if (options.layers.rest && options.pose != Pose::rest) parts_->draw_rest(frame, options);
-  parts_->prepare_heat(snapshot, options);
+  parts_->prepare_heat(snapshot, view, options);
   if (!view.stiffness.empty()) parts_->fill.upload_stiffness(parts_->mesh, view.stiffness);
   // Whatever layers are on: a map that is not valid shows it.
   const bool shows_folds = snapshot.folded_triangles > 0 && options.pose == Pose::deformed;

@@ -31,6 +31,8 @@ struct SceneView {
   Camera camera{};
   std::vector<int> selected{};   ///< ids of the selected handles
   std::optional<int> hovered{};  ///< id of the handle under the mouse
+  /// ψ(J) of the triangles, for the heat map of it; without, that map is not drawn. By triangle.
+  std::vector<double> energy_densities{};
   /// How stiff the triangles are, to be shown as a tint; empty: not shown. By triangle.
   std::span<const float> stiffness{};
 };

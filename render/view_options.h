@@ -41,7 +41,8 @@ inline constexpr std::array<LayerRow, 7> kLayerRows{{
 /// What the heat map shows of each triangle.
 enum class HeatMeasure {
   conformal,  ///< σ₁/σ₂, 1 where angles are kept
-  area        ///< A′/A
+  area,       ///< A′/A
+  energy      ///< ψ(J), the energy per rest area
 };
 
 /// Colours of the canvas; see theme.h.

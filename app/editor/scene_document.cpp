@@ -2,6 +2,7 @@
 #include "app/editor/scene_document.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,6 +22,8 @@ std::optional<double> number(const json& object, const char* key, double minimum
   if (!(value >= minimum && value <= maximum)) return std::nullopt;
   return value;
 }
+
+constexpr std::array kHeatMeasures{"conformal", "area", "energy"};  // in the order of HeatMeasure
 
 constexpr double kFar = 1e300;
 
@@ -99,7 +102,7 @@ json view_json(const Camera& camera, const ViewOptions& options) {
             {"pixels_per_unit", camera.pixels_per_unit}}},
           {"layers", layers_json(options.layers)},
           {"checker_squares", options.checker_squares},
-          {"heat_measure", options.heat_measure == HeatMeasure::area ? "area" : "conformal"}};
+          {"heat_measure", kHeatMeasures[static_cast<std::size_t>(options.heat_measure)]}};
 }
 
 bool read_view(const json& view, Camera& camera, ViewOptions& options) {
@@ -109,7 +112,8 @@ bool read_view(const json& view, Camera& camera, ViewOptions& options) {
   if (const auto squares = number(view, "checker_squares", 1, 1e4))
     options.checker_squares = *squares;
   if (const auto it = view.find("heat_measure"); it != view.end())
-    options.heat_measure = *it == "area" ? HeatMeasure::area : HeatMeasure::conformal;
+    for (std::size_t i = 0; i < kHeatMeasures.size(); ++i)
+      if (*it == kHeatMeasures[i]) options.heat_measure = static_cast<HeatMeasure>(i);
   return read_camera(view, camera);
 }
 

@@ -55,9 +55,11 @@ Vec2 centroid(const Snapshot& snapshot, int triangle) {
          3;
 }
 
-double heat_of(const Snapshot& snapshot, HeatMeasure measure, int triangle) {
-  const Vec2 sigma = signed_singular_values(
-      deformation_gradient(*snapshot.rest, snapshot.deformed, snapshot.triangles->col(triangle)));
+double heat_of(const Snapshot& snapshot, const Density& energy, HeatMeasure measure, int triangle) {
+  const Mat2 J =
+      deformation_gradient(*snapshot.rest, snapshot.deformed, snapshot.triangles->col(triangle));
+  if (measure == HeatMeasure::energy) return energy.value(J);
+  const Vec2 sigma = signed_singular_values(J);
   return measure == HeatMeasure::conformal ? sigma[0] / sigma[1] : sigma[0] * sigma[1];
 }
 
@@ -70,7 +72,9 @@ void draw_heat_notes(Editor& editor, const PanelContext& context, const CanvasBr
   if (state.pointer) {
     const auto under = triangle_at(snapshot, editor.canvas().to_world(*state.pointer),
                                    editor.draft().paint_order());
-    if (under) state.hovered_heat = heat_of(snapshot, state.heat_range->measure, *under);
+    if (under)
+      state.hovered_heat =
+          heat_of(snapshot, *editor.document().energy, state.heat_range->measure, *under);
   }
   if (state.heat_range->triangle_at_max >= snapshot.triangles->cols()) return;
   const Look& look = context.look;

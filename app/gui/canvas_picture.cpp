@@ -19,6 +19,16 @@ std::string exact_words(double value) {
 
 }  // namespace
 
+std::vector<double> energy_densities(const Snapshot& snapshot, const Density& energy,
+                                     const ViewOptions& options) {
+  std::vector<double> densities;
+  if (!options.layers.heat || options.heat_measure != HeatMeasure::energy) return densities;
+  densities.reserve(static_cast<std::size_t>(snapshot.triangles->cols()));
+  for (const auto& t : snapshot.triangles->colwise())
+    densities.push_back(energy.value(deformation_gradient(*snapshot.rest, snapshot.deformed, t)));
+  return densities;
+}
+
 SceneView scene_view(const Editor& editor, int x, int y) {
   const Canvas& canvas = editor.canvas();
   const auto& selection = editor.selection().ids();
@@ -52,6 +62,7 @@ Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureO
   view.hovered.reset();
   ViewOptions style = editor.view().shown_options();
   style.layers = options.layers;
+  view.energy_densities = energy_densities(*editor.shown(), *editor.document().energy, style);
   style.ui_scale *= factor;
   if (options.is_transparent) style.background = Background::transparent;
   RenderTarget target(view.viewport.width, view.viewport.height);

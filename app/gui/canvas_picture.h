@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "app/editor/editor.h"
 #include "render/image.h"
@@ -37,6 +38,10 @@ ImageTexts picture_texts(const Editor& editor);
 /// The first of `NAME-0001.png`, `NAME-0002.png`, … in `folder` that is not there yet.
 std::filesystem::path numbered_picture(const std::filesystem::path& folder,
                                        const std::string& name);
+
+/// ψ(J) of every triangle; empty unless the heat map shows it.
+std::vector<double> energy_densities(const Snapshot& snapshot, const Density& energy,
+                                     const ViewOptions& options);
 
 /// From where the editor looks, in a viewport of the canvas's size at (x, y) from the lower left.
 SceneView scene_view(const Editor& editor, int x, int y);

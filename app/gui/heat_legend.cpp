@@ -56,8 +56,9 @@ void draw_marker(const ImVec2& corner, float x, const Look& look) {
 }  // namespace
 
 void draw_heat_legend(const HeatRange& range, std::optional<double> hovered, const Look& look) {
-  const std::string name =
-      range.measure == HeatMeasure::conformal ? "σ₁/σ₂, 1 keeps angles" : "A′/A, 1 keeps areas";
+  static constexpr std::array kNames{"σ₁/σ₂, 1 keeps angles", "A′/A, 1 keeps areas",
+                                     "ψ, energy per rest area"};  // in the order of HeatMeasure
+  const std::string name = kNames[static_cast<std::size_t>(range.measure)];
   dim_text(hovered ? name + " · here " + heat_number(*hovered) : name + " · log scale", look);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;

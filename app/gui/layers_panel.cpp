@@ -22,7 +22,7 @@ void draw_layer_row(std::size_t index, Layers& layers, const Look& look) {
 }
 
 void draw_heat_controls(ViewOptions& view, const PanelContext& context) {
-  static constexpr std::array kMeasures{"Conformal σ₁/σ₂", "Area A′/A"};
+  static constexpr std::array kMeasures{"Conformal σ₁/σ₂", "Area A′/A", "Energy density ψ"};
   ImGui::SetNextItemWidth(-1);
   int measure = static_cast<int>(view.heat_measure);
   if (ImGui::Combo("##measure", &measure, kMeasures.data(), kMeasures.size()))

@@ -29,10 +29,14 @@ Snapshot with_targets_at_rest(Snapshot snapshot) {
 }
 
 /// One scale for all lanes, so that their colours can be compared.
-std::optional<HeatRange> common_range(const Race& race, HeatMeasure measure) {
+std::optional<HeatRange> common_range(const Race& race, const Density& energy,
+                                      const ViewOptions& options) {
   std::optional<HeatRange> common;
   for (const auto& lane : race.lanes()) {
-    const HeatRange range = distortion_of(*lane->shown(), measure).range;
+    const bool is_of_energy = options.heat_measure == HeatMeasure::energy;
+    const HeatRange range =
+        is_of_energy ? distortion_of(energy_densities(*lane->shown(), energy, options)).range
+                     : distortion_of(*lane->shown(), options.heat_measure).range;
     if (!common) common = range;
     common->min = std::min(common->min, range.min);
     common->max = std::max(common->max, range.max);
@@ -99,6 +103,7 @@ void Scenes::draw_document(Editor& editor, const Layout& layout, Extent framebuf
   }
   view.viewport = viewport_of(layout.canvas, framebuffer);
   if (editor.comparison().is_held()) return draw_other_pose(editor, view, options);
+  view.energy_densities = energy_densities(shown, *editor.document().energy, options);
   if (editor.brush().is_on()) view.stiffness = editor.brush().factors();
   canvas_.draw(shown, view, options);
   heat_range_ = canvas_.heat_range();
@@ -119,7 +124,8 @@ void Scenes::draw_race(const Editor& editor, const Layout& layout, Extent frameb
   }
   ViewOptions options = editor.view().shown_options();
   options.ui_scale = race.canvas().ui_scale;
-  if (options.layers.heat) heat_range_ = common_range(race, options.heat_measure);
+  const Density& energy = *editor.document().energy;
+  if (options.layers.heat) heat_range_ = common_range(race, energy, options);
   if (heat_range_) options.heat_scale = {heat_range_->min, heat_range_->max};
   const RaceLayout places = race_layout_for(layout.canvas, race.lanes().size(),
                                             static_cast<float>(race.canvas().ui_scale));
@@ -127,7 +133,9 @@ void Scenes::draw_race(const Editor& editor, const Layout& layout, Extent frameb
     SceneView view;
     view.viewport = viewport_of(places.lanes[i].view, framebuffer);
     view.camera = race.canvas().camera;
-    lanes_[i]->draw(*race.lanes()[i]->shown(), view, options);
+    const Snapshot& lane = *race.lanes()[i]->shown();
+    view.energy_densities = energy_densities(lane, energy, options);
+    lanes_[i]->draw(lane, view, options);
   }
 }
 

@@ -31,6 +31,19 @@ TEST(Distortion, ScaleAndTurnAreConformal) {
   EXPECT_NEAR(distortion_of(snapshot, HeatMeasure::area).values[0], 5, 1e-12);
 }
 
+TEST(Distortion, OfEnergiesHasSixDecadesAtMost) {
+  const Distortion narrow = distortion_of({0.5, 0.02, 0, 0.1});
+  EXPECT_EQ(narrow.range.measure, HeatMeasure::energy);
+  EXPECT_DOUBLE_EQ(narrow.range.min, 0.02);
+  EXPECT_DOUBLE_EQ(narrow.range.max, 0.5);
+  EXPECT_EQ(narrow.range.triangle_at_max, 0);
+  EXPECT_EQ(position_on(narrow.range, 0), 0);
+  const Distortion wide = distortion_of({1e-20, 3});
+  EXPECT_DOUBLE_EQ(wide.range.min, 3e-6);
+  const Distortion none = distortion_of({0, 0});
+  EXPECT_EQ(position_on(none.range, 0), 0);
+}
+
 TEST(Distortion, RangeCoversTheValuesAndNamesTheWorstTriangle) {
   Snapshot snapshot = test::undeformed(test::hexagon());
   snapshot.deformed.col(2) *= 4;

@@ -2,6 +2,9 @@
 // What is compared on the canvas, and the log of messages.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "core/mesh/generate.h"
 #include "tests/app/gui/headless_editor.h"
 
@@ -46,6 +49,30 @@ TEST_F(ComparePoses, OutlinesAreDrawn) {
   headless_.key(Key::o);
   headless_.settle();
   EXPECT_EQ(differing_pixels(before, headless_.picture()), 0);
+}
+
+TEST_F(ComparePoses, TheHeatMapShowsAnglesAreasOrTheEnergy) {
+  ViewOptions& options = editor().view().options();
+  options.layers.heat = true;
+  std::vector<Image> pictures;
+  for (const HeatMeasure measure :
+       {HeatMeasure::conformal, HeatMeasure::area, HeatMeasure::energy}) {
+    options.heat_measure = measure;
+    headless_.settle();
+    pictures.push_back(headless_.canvas_picture());
+  }
+  EXPECT_GT(differing_pixels(pictures[0], pictures[1]), 3000);
+  EXPECT_GT(differing_pixels(pictures[0], pictures[2]), 3000);
+  EXPECT_GT(differing_pixels(pictures[1], pictures[2]), 3000);
+  // Of an undeformed mesh the energy is zero everywhere: one colour, no scale to divide by.
+  editor().edits().reset_pose();
+  headless_.calm_down();
+  const Vec2 a = headless_.window_point({1, 0.1}), b = headless_.window_point({5, 0.8});
+  const Image at_rest = headless_.picture();
+  const auto pixel = [&](const Vec2& p) {
+    return at_rest.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
+  };
+  EXPECT_TRUE(std::equal(pixel(a), pixel(a) + 4, pixel(b)));
 }
 
 TEST_F(ComparePoses, MessagesAreKeptAsTextThatIsCopied) {
