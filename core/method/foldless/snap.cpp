@@ -38,7 +38,7 @@ bool snap(Workspace& work, const EnergySettings& energy) {
   const double before = objective.value(held_handles, now).total();
   if (!(objective.value(held_handles, u).total() <= snapping::kGrowth * before)) return false;
   work.mesh.set_deformed(std::move(u));
-  work.system.moved();
+  work.system.factor().outdate();
   return true;
 }
 
