@@ -14,9 +14,7 @@ LoadedScene load_scene_file(const std::filesystem::path& file) {
 
 Problem problem_of(const Scene& scene) {
   Problem problem;
-  problem.mesh = scene.state
-                     ? MeshPair(scene.state->triangles, scene.state->rest, scene.state->deformed)
-                     : MeshPair(scene.triangles, scene.rest);
+  problem.mesh = mesh_of(scene);
   problem.energy = scene.energy;
   problem.handles = scene.handles;
   problem.parameters = scene.parameters;

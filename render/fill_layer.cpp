@@ -13,7 +13,7 @@
 namespace foldless {
 namespace {
 
-constexpr std::size_t kHeatWidth = 1024;  // texels a row; every GL 3.3 takes a texture that wide
+constexpr std::size_t kTexelsOfARow = 1024;  // every GL 3.3 takes a texture that wide
 constexpr std::size_t kShades = 1024;
 
 using Colour = std::array<std::uint8_t, 4>;
@@ -28,15 +28,40 @@ std::vector<Colour> shades() {
   return table;
 }
 
+/// Premultiplied; one decade of stiffness from 1 is a third of the way to the densest.
+Colour tint(float factor) {
+  constexpr std::array<float, 3> kStiff{230, 159, 0}, kSlack{0, 114, 178};
+  constexpr float kFaintest = 0.3F, kDensest = 0.75F, kDecades = 3;
+  const float decades = std::log10(factor);
+  if (decades == 0) return {};
+  const float density =
+      std::min(kFaintest + (kDensest - kFaintest) * std::abs(decades) / kDecades, kDensest);
+  Colour colour{};
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] = static_cast<std::uint8_t>((decades > 0 ? kStiff : kSlack)[c] * density + 0.5F);
+  colour[3] = static_cast<std::uint8_t>(255 * density + 0.5F);
+  return colour;
+}
+
+/// One texel for each of so many triangles, row by row.
+template <typename ColourOf>
+void upload_colours(const Texture& texture, std::size_t triangles, const ColourOf& colour_of) {
+  const std::size_t rows = triangles / kTexelsOfARow + 1;
+  std::vector<Colour> texels(rows * kTexelsOfARow);
+  for (std::size_t k = 0; k < triangles; ++k) texels[k] = colour_of(k);
+  glBindTexture(GL_TEXTURE_2D, texture.id());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kTexelsOfARow, static_cast<GLsizei>(rows), 0, GL_RGBA,
+               GL_UNSIGNED_BYTE, texels.data());
+}
+
 }  // namespace
 
 FillLayer::FillLayer(const std::filesystem::path& shader_folder)
-    : fill_("fill", shader_folder), heat_("heat", shader_folder) {
-  glBindTexture(GL_TEXTURE_2D, heat_colours_.id());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glBindTexture(GL_TEXTURE_2D, 0);
-}
+    : fill_("fill", shader_folder), heat_("heat", shader_folder) {}
 
 void FillLayer::set_texture(const TextureLevels* image, const std::optional<Box>& place) {
   image_place_ = place;
@@ -79,26 +104,34 @@ void FillLayer::draw_folded(const Frame& frame, const MeshLayer& mesh, std::size
 
 void FillLayer::upload_heat(const MeshLayer& mesh, const Distortion& distortion) {
   const std::vector<Colour> table = shades();
-  const std::size_t rows = distortion.values.size() / kHeatWidth + 1;
-  std::vector<Colour> texels(rows * kHeatWidth);
   const std::vector<int>& order = mesh.order();
-  for (std::size_t k = 0; k < order.size(); ++k) {
+  upload_colours(heat_colours_, order.size(), [&](std::size_t k) {
     const double value = distortion.values[static_cast<std::size_t>(order[k])];
     const double place = position_on(distortion.range, value);
-    texels[k] = table[static_cast<std::size_t>(std::lround(place * (kShades - 1)))];
-  }
-  glBindTexture(GL_TEXTURE_2D, heat_colours_.id());
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kHeatWidth, static_cast<GLsizei>(rows), 0, GL_RGBA,
-               GL_UNSIGNED_BYTE, texels.data());
+    return table[static_cast<std::size_t>(std::lround(place * (kShades - 1)))];
+  });
+}
+
+void FillLayer::upload_stiffness(const MeshLayer& mesh, std::span<const float> factors) {
+  const std::vector<int>& order = mesh.order();
+  upload_colours(stiffness_colours_, order.size(),
+                 [&](std::size_t k) { return tint(factors[static_cast<std::size_t>(order[k])]); });
 }
 
 void FillLayer::draw_heat(const Frame& frame, const MeshLayer& mesh, std::size_t sheet) const {
+  draw_colours(frame, mesh, sheet, heat_colours_);
+}
+
+void FillLayer::draw_stiffness(const Frame& frame, const MeshLayer& mesh, std::size_t sheet) const {
+  draw_colours(frame, mesh, sheet, stiffness_colours_);
+}
+
+void FillLayer::draw_colours(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
+                             const Texture& colours) const {
   use_in_frame(heat_, frame);
   heat_.set("colours", 0);
   heat_.set("first_triangle", static_cast<int>(mesh.first_triangle(sheet)));
-  glBindTexture(GL_TEXTURE_2D, heat_colours_.id());
+  glBindTexture(GL_TEXTURE_2D, colours.id());
   mesh.draw_triangles(sheet);
 }
 

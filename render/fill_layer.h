@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 
 #include "render/distortion.h"
 #include "render/draw_state.h"
@@ -39,15 +40,26 @@ class FillLayer {
   /// One colour of viridis a triangle, as uploaded.
   void draw_heat(const Frame& frame, const MeshLayer& mesh, std::size_t sheet) const;
 
-  /// The colours of a heat map, for all sheets of the mesh as it is now.
+  /// How stiff the triangles are, as uploaded, over what is drawn.
+  void draw_stiffness(const Frame& frame, const MeshLayer& mesh, std::size_t sheet) const;
+
+  // For all sheets of the mesh as it is now.
+
+  /// The colours of a heat map.
   void upload_heat(const MeshLayer& mesh, const Distortion& distortion);
+  /// Orange above 1, blue below, the denser the farther from it. One factor a triangle.
+  void upload_stiffness(const MeshLayer& mesh, std::span<const float> factors);
 
  private:
+  void draw_colours(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
+                    const Texture& colours) const;
+
   ShaderProgram fill_;
   ShaderProgram heat_;
   std::optional<FillTexture> image_;
   std::optional<Box> image_place_;
   Texture heat_colours_;
+  Texture stiffness_colours_;
 };
 
 }  // namespace foldless

@@ -127,6 +127,7 @@ void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
   const MarkerScene scene{snapshot, view, options, parts_->mesh.local()};
   if (options.layers.rest && options.pose != Pose::rest) parts_->draw_rest(frame, options);
   parts_->prepare_heat(snapshot, options);
+  if (!view.stiffness.empty()) parts_->fill.upload_stiffness(parts_->mesh, view.stiffness);
   // Whatever layers are on: a map that is not valid shows it.
   const bool shows_folds = snapshot.folded_triangles > 0 && options.pose == Pose::deformed;
   std::vector<std::vector<int>> vertices;
@@ -134,6 +135,7 @@ void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
   for (std::size_t sheet = 0; sheet < parts_->mesh.sheet_count(); ++sheet) {
     parts_->draw_inside(frame, sheet, options);
     if (shows_folds) parts_->fill.draw_folded(frame, parts_->mesh, sheet, colours.folded);
+    if (!view.stiffness.empty()) parts_->fill.draw_stiffness(frame, parts_->mesh, sheet);
     parts_->draw_edges(frame, sheet, options);
     if (options.layers.remeshed) parts_->markers.draw_split_vertices(frame, scene, vertices[sheet]);
   }

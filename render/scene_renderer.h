@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/snapshot.h"
@@ -30,6 +31,8 @@ struct SceneView {
   Camera camera{};
   std::vector<int> selected{};   ///< ids of the selected handles
   std::optional<int> hovered{};  ///< id of the handle under the mouse
+  /// How stiff the triangles are, to be shown as a tint; empty: not shown. By triangle.
+  std::span<const float> stiffness{};
 };
 
 /// Draws snapshots with GL 3.3 into the framebuffer that is bound; never makes a context. Every

@@ -57,12 +57,13 @@ install_packages() {
 }
 
 # configure_in DIR PRESET [OPTION...]: runs cmake in a source tree, quietly, with ccache where it is
-# installed.
+# installed. Without that sloppiness it keeps nothing that was made with precompiled headers.
 configure_in() {
   local source_dir=$1 preset=$2 launcher=()
   shift 2
   if command -v ccache >/dev/null; then
-    launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    local ccache="env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache"
+    launcher=("-DCMAKE_C_COMPILER_LAUNCHER=$ccache" "-DCMAKE_CXX_COMPILER_LAUNCHER=$ccache")
   fi
   (cd "$source_dir" && cmake --preset "$preset" --log-level=WARNING "${launcher[@]}" "$@" >/dev/null)
 }

@@ -6,6 +6,7 @@
 
 #include "app/bench/drag_run.h"
 #include "core/energy/constraints.h"
+#include "core/energy/element.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
 #include "core/method/satisfied.h"
@@ -20,9 +21,7 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 Problem problem_of(const BenchJob& job) {
   const Scene& scene = job.scene->scene;
-  Problem problem{.mesh = scene.state ? MeshPair(scene.state->triangles, scene.state->rest,
-                                                 scene.state->deformed)
-                                      : MeshPair(scene.triangles, scene.rest),
+  Problem problem{.mesh = mesh_of(scene),
                   .energy = scene.energy,
                   .handles = scene.handles,
                   .parameters = job.parameters};
@@ -31,21 +30,25 @@ Problem problem_of(const BenchJob& job) {
   return problem;
 }
 
-double distortion_energy(const Density& energy, const Snapshot& state) {
+double distortion_energy(const Density& energy, const MeshPair& mesh) {
   double sum = 0;
-  for (const auto t : state.triangles->colwise())
-    sum += signed_area(*state.rest, t) *
-           energy.value(deformation_gradient(*state.rest, state.deformed, t));
+  for (const auto t : mesh.triangles().colwise()) {
+    const RestElement rest = rest_element(mesh, t);
+    sum += rest.stiffness * rest.area *
+           energy.value(deformation_gradient(mesh.rest(), mesh.deformed(), t));
+  }
   return sum;
 }
 
-void measure(const Density& energy, const Snapshot& state, BenchRow& row) {
+void measure(const Problem& problem, const Snapshot& state, BenchRow& row) {
   const InjectivityChecker checker(*state.triangles, static_cast<int>(state.rest->cols()));
   const InjectivityReport report = checker.check(state.deformed);
   row.is_valid = report.is_injective_inside() && checker.is_injective_inside(*state.rest);
   row.overlapping_boundary_vertices = static_cast<int>(report.overlapping_boundary_vertices.size());
   row.handle_error_squared = handle_error_squared(constraints_of(state.handles), state.deformed);
-  row.distortion_energy = distortion_energy(energy, state);
+  MeshPair mesh(*state.triangles, *state.rest, state.deformed);
+  mesh.set_stiffness(problem.mesh.stiffness());
+  row.distortion_energy = distortion_energy(*problem.energy, mesh);
   row.vertices_added = static_cast<int>(state.rest->cols()) - row.vertices;
   if (!row.is_valid) {
     row.max_conformal_distortion = row.mean_conformal_distortion = kUndefined;
@@ -68,7 +71,7 @@ void run_to_its_end(const BenchJob& job, const std::stop_token& token, BenchRow&
   row.outcome = name_of(run.outcome().value_or(Outcome::cancelled));
   row.is_satisfied = run.is_satisfied();
   if (!row.iterations.empty()) row.last = row.iterations.back();
-  measure(*problem.energy, *run.snapshot(), row);
+  measure(problem, *run.snapshot(), row);
 }
 
 }  // namespace

@@ -15,14 +15,12 @@
 namespace foldless {
 namespace {
 
-using Corners = Loop;
-
 constexpr double kTurn = 2 * std::numbers::pi;
 
 Vec2 polar(double radius, double angle) { return radius * Vec2(std::cos(angle), std::sin(angle)); }
 
 /// With a box of diagonal 1 about the origin, and of the coordinates of the suite.
-Points normalised(const Corners& corners) {
+Points normalised(const Loop& corners) {
   Points points(2, static_cast<Eigen::Index>(corners.size()));
   for (std::size_t i = 0; i < corners.size(); ++i)
     points.col(static_cast<Eigen::Index>(i)) = corners[i];
@@ -32,7 +30,7 @@ Points normalised(const Corners& corners) {
 }
 
 /// Sides cut into equal parts, the longest parts first, until there are so many corners.
-Corners with_corners(const Corners& polygon, int corners) {
+Loop with_corners(const Loop& polygon, int corners) {
   std::vector<int> parts(polygon.size(), 1);
   const auto side = [&](std::size_t i) -> Vec2 {
     return polygon[(i + 1) % polygon.size()] - polygon[i];
@@ -43,7 +41,7 @@ Corners with_corners(const Corners& polygon, int corners) {
       if (side(i).norm() * parts[longest] > side(longest).norm() * parts[i]) longest = i;
     ++parts[longest];
   }
-  Corners result;
+  Loop result;
   for (std::size_t i = 0; i < polygon.size(); ++i)
     for (int part = 0; part < parts[i]; ++part)
       result.push_back(polygon[i] + side(i) * part / parts[i]);
@@ -52,9 +50,9 @@ Corners with_corners(const Corners& polygon, int corners) {
 
 /// Along the outside of a band round the origin and back along its inside.
 template <typename Radius>
-Corners band(int corners, double turns, double width, const Radius& radius) {
+Loop band(int corners, double turns, double width, const Radius& radius) {
   const int along = corners / 2;
-  Corners polygon;
+  Loop polygon;
   for (int i = 0; i < along; ++i) {
     const double angle = kTurn * turns * i / (along - 1);
     polygon.push_back(polar(radius(angle), angle));
@@ -73,7 +71,7 @@ bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d
 }
 
 /// Takes crossings out, each of which makes it shorter.
-void untangle(Corners& polygon) {
+void untangle(Loop& polygon) {
   const std::size_t n = polygon.size();
   for (bool is_tangled = true; is_tangled;) {
     is_tangled = false;
@@ -92,7 +90,7 @@ void untangle(Corners& polygon) {
 }  // namespace
 
 Points star_polygon(RandomNumbers& random, int corners) {
-  Corners polygon;
+  Loop polygon;
   const double depth = random.between(0.1, 0.4);
   for (int i = 0; i < corners; ++i) {
     const double radius = i % 2 == 0 ? random.between(0.6, 1) : random.between(depth, 0.5);
@@ -104,7 +102,7 @@ Points star_polygon(RandomNumbers& random, int corners) {
 Points comb_polygon(RandomNumbers& random, int corners) {
   const int teeth = random.integer(3, corners / 6);
   const double length = random.between(2, 8);
-  Corners polygon{{0, -1}, {2.0 * teeth - 1, -1}};
+  Loop polygon{{0, -1}, {2.0 * teeth - 1, -1}};
   for (int tooth = teeth - 1; tooth >= 0; --tooth)
     for (const Vec2& p : {Vec2(1, 0), Vec2(1, 1), Vec2(0, 1), Vec2(0, 0)})
       polygon.push_back({2 * tooth + p.x(), p.y() * length * random.between(0.8, 1)});
@@ -118,7 +116,7 @@ Points spiral_polygon(RandomNumbers& random, int corners) {
 }
 
 Points random_polygon(RandomNumbers& random, int corners) {
-  Corners polygon;
+  Loop polygon;
   for (int i = random.integer(12, 24); i > 0; --i) {
     const double x = random.between(0, 1);
     polygon.push_back({x, random.between(0, 1)});
@@ -156,7 +154,7 @@ Points glued_triangles_polygon(RandomNumbers& random, int corners) {
     points = std::move(more);
     triangles = std::move(glued);
   }
-  Corners polygon;
+  Loop polygon;
   for (const int v : loop) polygon.emplace_back(points.col(v));
   return normalised(polygon);
 }

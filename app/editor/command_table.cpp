@@ -65,6 +65,8 @@ DocumentFiles& part_with(void (DocumentFiles::*)(), Editor& e) { return e.files(
 Selection& part_with(void (Selection::*)(), Editor& e) { return e.selection(); }
 CanvasView& part_with(void (CanvasView::*)(), Editor& e) { return e.view(); }
 Playback& part_with(void (Playback::*)(), Editor& e) { return e.playback(); }
+PoseComparison& part_with(void (PoseComparison::*)(), Editor& e) { return e.comparison(); }
+StiffnessBrush& part_with(void (StiffnessBrush::*)(), Editor& e) { return e.brush(); }
 StuckHelp& part_with(void (StuckHelp::*)(), Editor& e) { return e.stuck(); }
 
 /// A member function of a part as an action.
@@ -176,6 +178,8 @@ std::vector<Command> handle_commands() {
       nudging("handle.right", "Nudge right", Key::right, [](Editor& e) { nudge(e, {1, 0}); }),
       nudging("handle.up", "Nudge up", Key::up, [](Editor& e) { nudge(e, {0, 1}); }),
       nudging("handle.down", "Nudge down", Key::down, [](Editor& e) { nudge(e, {0, -1}); }),
+      {"stiffness.paint", "Handles", "Paint stiffness", {{Key::b, kNone}}, has_mesh, call<&StiffnessBrush::toggle>, [](const Editor& e) { return e.brush().is_on(); }},
+      {"stiffness.clear", "Handles", "Remove all stiffness", {}, [](const Editor& e) { return e.brush().can_clear(); }, call<&StiffnessBrush::clear>},
       {"handle.forward", "Handles", "Bring forward", {{Key::right_bracket, kNone}}, has_selection, bring_forward},
       {"handle.back", "Handles", "Send back", {{Key::left_bracket, kNone}}, has_selection, send_back},
   };
@@ -221,6 +225,14 @@ std::vector<Command> view_commands() {
                [](Editor& e) { e.view().hide_overlays(true); },
                [](const Editor& e) { return e.view().are_overlays_hidden(); },
                [](Editor& e) { e.view().hide_overlays(false); }}),
+      {"compare.hold", "View", "Rest or kept pose while held", {{Key::backslash, kNone}}, has_mesh,
+       [](Editor& e) { e.comparison().hold(true); },
+       [](const Editor& e) { return e.comparison().is_held(); },
+       [](Editor& e) { e.comparison().hold(false); }},
+      {"compare.keep", "View", "Keep this pose to compare with", {{Key::backslash, kShift}}, has_mesh, call<&PoseComparison::keep>},
+      {"compare.forget", "View", "Forget the kept pose", {}, [](const Editor& e) { return e.comparison().kept() != nullptr; }, call<&PoseComparison::forget>},
+      {"compare.outline", "View", "Outline of this pose, on or off", {{Key::o, kNone}}, has_mesh, call<&PoseComparison::toggle_outline>},
+      {"compare.clear", "View", "Remove all outlines", {{Key::o, kShift}}, [](const Editor& e) { return e.comparison().has_outlines(); }, call<&PoseComparison::clear_outlines>},
       in_race({"help.search", "Help", "Search commands\u2026", {{Key::k, kControl}}, always, ask<Request::command_search>}),
       in_race({"help.keys", "Help", "Shortcuts", {{Key::f1, kNone}}, always, ask<Request::cheat_sheet>}),
   };

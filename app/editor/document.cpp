@@ -32,6 +32,11 @@ bool is_equal(const std::shared_ptr<const Snapshot>& a, const std::shared_ptr<co
          a->deformed == b->deformed;
 }
 
+bool is_equal(const std::shared_ptr<const Stiffness>& a,
+              const std::shared_ptr<const Stiffness>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 }  // namespace
 
 Document empty_document() {
@@ -51,7 +56,9 @@ Document document_of(Shape shape, std::string name) {
 
 MeshPair mesh_of(const Document& document) {
   const Snapshot& pose = *document.pose;
-  return {*pose.triangles, *pose.rest, pose.deformed};
+  MeshPair mesh(*pose.triangles, *pose.rest, pose.deformed);
+  mesh.set_stiffness(document.stiffness);
+  return mesh;
 }
 
 Problem problem_of(const Document& document) {
@@ -137,8 +144,8 @@ bool is_at_targets(const Document& document) {
 
 bool is_same_content(const Document& a, const Document& b) {
   return is_equal(a.original, b.original) && is_equal(a.pose, b.pose) && a.handles == b.handles &&
-         a.energy == b.energy && a.parameters == b.parameters && a.texture == b.texture &&
-         a.texture_box == b.texture_box;
+         is_equal(a.stiffness, b.stiffness) && a.energy == b.energy &&
+         a.parameters == b.parameters && a.texture == b.texture && a.texture_box == b.texture_box;
 }
 
 }  // namespace foldless

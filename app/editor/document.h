@@ -30,9 +30,10 @@ struct Standing {
 struct Document {
   std::shared_ptr<const Shape> original;  ///< the mesh before any remeshing; null: nothing is open
   std::shared_ptr<const Snapshot> pose;  ///< rest and deformed mesh as they are; null with original
-  std::vector<Handle> handles;           ///< in the solver's order; vertices of `pose`
-  int next_handle_id = 0;                ///< ids are never used twice
-  const Density* energy = nullptr;       ///< a row of densities(), never null
+  std::shared_ptr<const Stiffness> stiffness;  ///< of the rest plane; null: 1 everywhere
+  std::vector<Handle> handles;                 ///< in the solver's order; vertices of `pose`
+  int next_handle_id = 0;                      ///< ids are never used twice
+  const Density* energy = nullptr;             ///< a row of densities(), never null
   Parameters parameters;
   std::filesystem::path texture;          ///< absolute path of an image; empty: checkerboard
   std::optional<TextureBox> texture_box;  ///< absent: the box of the rest mesh

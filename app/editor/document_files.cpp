@@ -54,10 +54,21 @@ void DocumentFiles::open(const std::filesystem::path& path) {
   ask_or_perform({PendingKind::open, full_path(path)});
 }
 
-void DocumentFiles::drop(const std::filesystem::path& path) {
-  if (is_image_file(path) && !draft_.document().is_empty() && !import_.is_open())
-    return set_texture(path);
-  open(path);
+void DocumentFiles::drop(const std::vector<std::filesystem::path>& paths) {
+  if (paths.empty()) return;
+  const auto document = std::ranges::find_if_not(paths, is_image_file);
+  const auto image = std::ranges::find_if(paths, is_image_file);
+  const std::size_t used = document != paths.end() && image != paths.end() ? 2 : 1;
+  if (paths.size() > used)
+    messages_.toast(ToastKind::notice, "One mesh or scene and one image are taken at a time; " +
+                                           std::to_string(paths.size() - used) +
+                                           " of the files were left out");
+  if (used == 2)
+    ask_or_perform({PendingKind::open, full_path(*document), false, full_path(*image)});
+  else if (document == paths.end() && !draft_.document().is_empty() && !import_.is_open())
+    set_texture(*image);
+  else
+    open(paths.front());
 }
 
 void DocumentFiles::open_sample(const std::filesystem::path& path) {
@@ -109,6 +120,7 @@ void DocumentFiles::load(const PendingAction& action) {
       open_mesh(path);
     else
       open_scene(path);
+    if (!action.texture.empty()) set_texture(action.texture);
     if (action.is_sample)
       path_.clear();
     else

@@ -25,8 +25,9 @@ namespace foldless {
 enum class PendingKind { new_document, open, recover, close };
 struct PendingAction {
   PendingKind kind = PendingKind::new_document;
-  std::filesystem::path path;  ///< to open
-  bool is_sample = false;      ///< to be saved elsewhere
+  std::filesystem::path path;          ///< to open
+  bool is_sample = false;              ///< to be saved elsewhere
+  std::filesystem::path texture = {};  ///< for what is opened; empty: its own
 };
 enum class Answer { save, discard, cancel };
 
@@ -49,8 +50,10 @@ class DocumentFiles {
   /// Opens a scene or a mesh, or begins to import an image, by its extension; asks first when
   /// there are unsaved changes.
   void open(const std::filesystem::path& path);
-  /// As open(), but an image becomes the texture of the mesh where there is one.
-  void drop(const std::filesystem::path& path);
+  /// As open(), but an image becomes the texture of the mesh where there is one. Of several files
+  /// the first mesh or scene is opened, with the first image as its texture; what is left over is
+  /// said.
+  void drop(const std::vector<std::filesystem::path>& paths);
   /// Opens a scene as a copy without a path: saving asks where to, and it is not a recent file.
   void open_sample(const std::filesystem::path& path);
   /// Opens a mesh that was made, not read; unsaved changes are dropped. Precondition: valid.

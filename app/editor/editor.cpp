@@ -17,6 +17,8 @@ Editor::Editor(const EditorOptions& options)
       edits_(draft_),
       files_({draft_, view_, race_, messages_}, options.state_folder, options.wake),
       stuck_(draft_, messages_),
+      brush_(draft_),
+      comparison_(draft_, messages_),
       input_(*this) {
   draft_.on_interrupt([this] { return input_.cancel_gesture(); });
 }
@@ -60,6 +62,7 @@ void Editor::escape() {
   if (files_.recovery().is_open()) return files_.recovery().close();
   if (race_.is_open()) return toggle_race();
   if (input_.cancel_gesture()) return;
+  if (brush_.is_on()) return brush_.toggle();
   if (playback_.is_solving()) return playback_.stop();
   if (playback_.is_playing()) return playback_.toggle_play();
   if (draft_.look_back()) return draft_.look_at_newest();

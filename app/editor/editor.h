@@ -15,8 +15,10 @@
 #include "app/editor/handle_view.h"
 #include "app/editor/messages.h"
 #include "app/editor/playback.h"
+#include "app/editor/pose_comparison.h"
 #include "app/editor/race.h"
 #include "app/editor/status.h"
+#include "app/editor/stiffness_brush.h"
 #include "app/editor/stuck_help.h"
 
 namespace foldless {
@@ -50,8 +52,8 @@ class Editor {
   std::optional<double> next_wake() const;
   /// Runs a command of the table if it is enabled; returns whether it was.
   bool run_command(std::string_view name);
-  /// Stages of Esc: leave import, recovery or race, cancel the gesture, stop solving, stop
-  /// playing, leave the iteration that is shown, deselect.
+  /// Stages of Esc: leave import, recovery or race, cancel the gesture, put the brush
+  /// away, stop solving, stop playing, leave the iteration that is shown, deselect.
   void escape();
 
   // Its parts.
@@ -67,6 +69,10 @@ class Editor {
   const CanvasView& view() const { return view_; }
   Playback& playback() { return playback_; }
   const Playback& playback() const { return playback_; }
+  PoseComparison& comparison() { return comparison_; }
+  const PoseComparison& comparison() const { return comparison_; }
+  StiffnessBrush& brush() { return brush_; }
+  const StiffnessBrush& brush() const { return brush_; }
   StuckHelp& stuck() { return stuck_; }
   const StuckHelp& stuck() const { return stuck_; }
   Messages& messages() { return messages_; }
@@ -100,6 +106,8 @@ class Editor {
   DocumentEdits edits_;
   DocumentFiles files_;
   StuckHelp stuck_;
+  StiffnessBrush brush_;
+  PoseComparison comparison_;
   EditorInput input_;
 };
 

@@ -85,9 +85,7 @@ void EditorInput::on(const KeyReleased& event) {
   }
 }
 
-void EditorInput::on(const FilesDropped& event) {
-  if (!event.paths.empty()) editor_.files().drop(event.paths.front());
-}
+void EditorInput::on(const FilesDropped& event) { editor_.files().drop(event.paths); }
 
 void EditorInput::on(const FocusLost&) {
   space_.reset();

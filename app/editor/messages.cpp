@@ -25,6 +25,8 @@ void Messages::request(Request request) {
 std::vector<Request> Messages::take_requests() { return std::exchange(requests_, {}); }
 
 void Messages::toast(ToastKind kind, std::string text) {
+  if (log_.size() == kMostLogged) log_.erase(log_.begin());
+  log_.push_back({now_, kind, text});
   std::erase_if(toasts_, [&](const Toast& t) { return t.text == text; });
   const double seconds = kind == ToastKind::error ? kErrorSeconds : kNoticeSeconds;
   toasts_.push_back({next_toast_++, kind, std::move(text), now_ + seconds});

@@ -35,6 +35,13 @@ struct Toast {
   double until = 0;  ///< when it goes away [s]
 };
 
+/// A message that was shown.
+struct LoggedMessage {
+  double time = 0;  ///< by the editor's clock [s]
+  ToastKind kind = ToastKind::notice;
+  std::string text;
+};
+
 /// What an editor says to its surroundings: requests, toasts, and that the picture is out of date.
 /// Has the editor's clock, as toasts go away by it.
 class Messages {
@@ -50,6 +57,9 @@ class Messages {
   void toast(ToastKind kind, std::string text);
   void dismiss_toast(int id);
   const std::vector<Toast>& toasts() const { return toasts_; }
+  /// All that were shown, oldest first; the newest kMostLogged of them.
+  const std::vector<LoggedMessage>& log() const { return log_; }
+  static constexpr std::size_t kMostLogged = 1000;
   /// When the next toast goes away, if there is one. [s]
   std::optional<double> next_wake() const;
 
@@ -62,6 +72,7 @@ class Messages {
   double now_ = 0;
   std::vector<Request> requests_;
   std::vector<Toast> toasts_;
+  std::vector<LoggedMessage> log_;
   int next_toast_ = 1;
   bool needs_redraw_ = true;
 };

@@ -48,6 +48,7 @@ Document document_of(const Scene& scene, const std::filesystem::path& file) {
     if (handle.id < std::numeric_limits<int>::max())
       document.next_handle_id = std::max(document.next_handle_id, handle.id + 1);
   document.energy = scene.energy;
+  document.stiffness = scene.stiffness;
   document.parameters = scene.parameters;
   if (!scene.texture_path.empty())
     document.texture = (scene.folder / scene.texture_path).lexically_normal();
@@ -66,6 +67,7 @@ Scene scene_of(const Document& document, const std::filesystem::path& file,
     scene.texture_path = document.texture.lexically_proximate(scene.folder).generic_string();
   scene.texture_box = document.texture_box;
   scene.energy = document.energy;
+  scene.stiffness = document.stiffness;
   scene.handles = document.handles;
   scene.parameters = document.parameters;
   const Snapshot& pose = *document.pose;

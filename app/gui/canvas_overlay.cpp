@@ -82,6 +82,16 @@ void draw_heat_notes(Editor& editor, const PanelContext& context, const CanvasBr
              look);
 }
 
+/// What the stiffness brush covers where the pointer is.
+void draw_brush(const Editor& editor, const CanvasBrush& brush, const PanelContext& context) {
+  if (!context.state.pointer) return;
+  const Look& look = context.look;
+  const ImVec2 centre = brush.at(*context.state.pointer);
+  const auto radius = static_cast<float>(editor.brush().radius() * editor.canvas().ui_scale);
+  brush.list.AddCircle(centre, radius, IM_COL32_BLACK, 0, look.px(3));
+  brush.list.AddCircle(centre, radius, IM_COL32_WHITE, 0, look.px(1.4F));
+}
+
 /// What to look at or to try, in the words of the scene, until it is closed.
 void draw_description(const std::string& words, const PanelContext& context) {
   if (words.empty() || words == context.state.closed_description) return;
@@ -141,12 +151,19 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const CanvasBrush brush{list, canvas};
   list.PushClipRect({canvas.x, canvas.y}, {canvas.x + canvas.width, canvas.y + canvas.height});
+  if (editor.comparison().is_held()) {
+    const bool is_kept = editor.comparison().kept() != nullptr;
+    draw_plate_on_top(is_kept ? "The kept pose" : "The rest shape", brush, context.look);
+    return list.PopClipRect();
+  }
+  draw_outlines(editor, brush, context.look);
   draw_heat_notes(editor, context, brush);
   if (editor.view().shown_options().layers.handles) draw_distances(editor, brush, context.look);
   if (!editor.view().are_overlays_hidden()) draw_handle_notes(editor, brush, context);
   if (!editor.draft().is_editing() && !editor.view().are_overlays_hidden() &&
       !editor.view().remesh_diff().is_shown())
     draw_description(editor.document().description, context);
+  if (editor.brush().is_on()) draw_brush(editor, brush, context);
   if (const auto band = editor.input().band()) draw_band(*band, brush, context.look);
   draw_lasso(editor.input().lasso(), brush, context.look);
   list.PopClipRect();

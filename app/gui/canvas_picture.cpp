@@ -34,17 +34,25 @@ Layers exported_layers(const Editor& editor) {
   return layers;
 }
 
+std::array<int, 2> size_of_picture(const Editor& editor, const PictureOptions& options) {
+  return options.size.value_or(
+      std::array{editor.canvas().width * options.factor, editor.canvas().height * options.factor});
+}
+
 Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureOptions& options) {
   if (!editor.shown()) throw Error("There is no mesh to make a picture of: open one first.");
   SceneView view = scene_view(editor, 0, 0);
-  view.viewport.width *= options.factor;
-  view.viewport.height *= options.factor;
-  view.camera.pixels_per_unit *= options.factor;
+  const auto [width, height] = size_of_picture(editor, options);
+  const double factor = std::min(static_cast<double>(width) / view.viewport.width,
+                                 static_cast<double>(height) / view.viewport.height);
+  view.viewport.width = width;
+  view.viewport.height = height;
+  view.camera.pixels_per_unit *= factor;
   view.selected.clear();
   view.hovered.reset();
   ViewOptions style = editor.view().shown_options();
   style.layers = options.layers;
-  style.ui_scale *= options.factor;
+  style.ui_scale *= factor;
   if (options.is_transparent) style.background = Background::transparent;
   RenderTarget target(view.viewport.width, view.viewport.height);
   target.bind();

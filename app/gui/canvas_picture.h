@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 
 #include "app/editor/editor.h"
 #include "render/image.h"
@@ -12,6 +14,8 @@ namespace foldless {
 /// How the canvas is written to a picture.
 struct PictureOptions {
   int factor = 1;  ///< pixels of the picture a pixel of the canvas: 1, 2 or 4
+  /// Width and height in pixels in place of a factor: what the canvas shows, in the middle.
+  std::optional<std::array<int, 2>> size = std::nullopt;
   bool is_transparent = false;
   Layers layers;
 };
@@ -19,7 +23,10 @@ struct PictureOptions {
 /// The layers that an export begins with: those on screen, but of a drawing without its handles.
 Layers exported_layers(const Editor& editor);
 
-/// The canvas as the user sees it, drawn anew at `factor` times its size. Needs the renderer's
+/// Width and height of a picture of the canvas. [pixels]
+std::array<int, 2> size_of_picture(const Editor& editor, const PictureOptions& options);
+
+/// The canvas as the user sees it, drawn anew at the size that is asked for. Needs the renderer's
 /// context; leaves framebuffer 0's owner to bind its framebuffer again. Throws Error when the
 /// graphics card refuses a picture of this size.
 Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureOptions& options);

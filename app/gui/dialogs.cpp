@@ -68,6 +68,7 @@ void draw_dialogs(Editor& editor, const PanelContext& context) {
   state.browser.draw(context.look);
   state.search.draw(editor, state, context.look);
   draw_cheat_sheet(editor, context);
+  draw_message_log(editor, context);
   draw_about(context);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/export_dialog.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,8 @@ struct Format {
   std::string_view extension;
   const char* words;
 };
+
+constexpr int kMostPixelsOfASide = 16384;
 
 constexpr std::array<Format, 4> kFormats{{
     {"PNG picture", ".png", "The canvas as you see it. Scene, iteration and energy go along."},
@@ -45,7 +48,7 @@ std::optional<ExportJob> ExportDialog::take_order() { return std::exchange(order
 
 void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
   if (std::exchange(opens_now_, false)) ImGui::OpenPopup("##export");
-  if (!begin_dialog("##export", look, ImVec2{480, 350})) return;
+  if (!begin_dialog("##export", look, ImVec2{480, 380})) return;
   title_text("Export", look);
   ImGui::BeginChild("options", {0, -ImGui::GetFrameHeightWithSpacing()});
   draw_options(editor, look);
@@ -81,9 +84,13 @@ void ExportDialog::draw_picture_options(const Editor& editor, const Look& look) 
     const std::string label = "×" + std::to_string(factor) + "  " +
                               std::to_string(canvas.width * factor) + " × " +
                               std::to_string(canvas.height * factor);
-    if (ImGui::RadioButton(label.c_str(), job_.picture.factor == factor))
+    const bool is_on = !job_.picture.size && job_.picture.factor == factor;
+    if (ImGui::RadioButton(label.c_str(), is_on)) {
       job_.picture.factor = factor;
+      job_.picture.size.reset();
+    }
   }
+  draw_free_size(editor, look);
   ImGui::Checkbox("Transparent background", &job_.picture.is_transparent);
   ImGui::Spacing();
   dim_text("Layers", look);
@@ -93,6 +100,18 @@ void ExportDialog::draw_picture_options(const Editor& editor, const Look& look) 
     ImGui::Checkbox(row.title.data(), &(job_.picture.layers.*row.shown));
   }
   ImGui::EndTable();
+}
+
+void ExportDialog::draw_free_size(const Editor& editor, const Look& look) {
+  std::array<int, 2> size = size_of_picture(editor, job_.picture);
+  if (ImGui::RadioButton("Any size", job_.picture.size.has_value())) job_.picture.size = size;
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(look.px(160));
+  if (ImGui::InputInt2("##size", size.data())) {
+    for (int& pixels : size) pixels = std::clamp(pixels, 1, kMostPixelsOfASide);
+    job_.picture.size = size;
+  }
+  tooltip("Width and height in pixels. What the canvas shows is in the middle.", look);
 }
 
 void ExportDialog::ask_for_file(Editor& editor, UiState& state) {

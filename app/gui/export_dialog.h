@@ -28,6 +28,7 @@ class ExportDialog {
 
  private:
   void draw_picture_options(const Editor& editor, const Look& look);
+  void draw_free_size(const Editor& editor, const Look& look);
   void draw_options(const Editor& editor, const Look& look);
   void ask_for_file(Editor& editor, UiState& state);
 

@@ -13,6 +13,8 @@ std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
     return "Enter goes on from this iteration · Esc returns to the newest";
   if (std::string words = editor.input().words(); !words.empty()) return words;
   if (editor.draft().is_editing()) return "Release to set the target · Esc takes the drag back";
+  if (editor.brush().is_on())
+    return "Drag paints stiffness · Shift takes it back · [ and ] change the size · Esc ends";
   if (editor.input().band() || !editor.input().lasso().empty())
     return "Release to select · Shift adds · Ctrl takes away · Esc cancels";
   if (modifiers.control) return "Ctrl+drag takes away from the selection · Ctrl+K finds commands";

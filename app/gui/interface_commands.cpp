@@ -106,6 +106,8 @@ const std::vector<InterfaceCommand>& interface_commands() {
     add_look(commands);
     add_panels(commands);
     commands.push_back(
+        {"Help", "", "Messages…", {}, [](UiState& state) { state.shows_log = true; }, {}});
+    commands.push_back(
         {"Help", "", "About Foldless", {}, [](UiState& state) { state.shows_about = true; }, {}});
     return commands;
   }();

@@ -40,6 +40,8 @@ void draw_layers_panel(Editor& editor, const PanelContext& context);
 void draw_handles_panel(Editor& editor, const PanelContext& context);
 /// What the selected handles have, as fields.
 void draw_handle_inspector(Editor& editor, const PanelContext& context);
+/// The stiffness brush: what it paints with.
+void draw_stiffness_panel(Editor& editor, const PanelContext& context);
 void draw_history_panel(Editor& editor, const PanelContext& context);
 void draw_solver_panel(Editor& editor, const PanelContext& context);
 void draw_plots_panel(Editor& editor, const PanelContext& context);
@@ -48,6 +50,8 @@ void draw_iterations_panel(Editor& editor, const PanelContext& context);
 // Dialogs.
 
 void draw_cheat_sheet(Editor& editor, const PanelContext& context);
+/// All messages that were shown, as text that can be copied.
+void draw_message_log(Editor& editor, const PanelContext& context);
 void draw_about(const PanelContext& context);
 void draw_unsaved_question(Editor& editor, const PanelContext& context);
 

@@ -83,7 +83,7 @@ void Scenes::draw_preview(const Preview& preview, const Editor& editor, const La
   canvas_.draw(*preview.pose, view, options);
 }
 
-void Scenes::draw_document(const Editor& editor, const Layout& layout, Extent framebuffer) {
+void Scenes::draw_document(Editor& editor, const Layout& layout, Extent framebuffer) {
   const Snapshot& shown = *editor.shown();
   SceneView view = scene_view(editor, 0, 0);
   ViewOptions options = editor.view().shown_options();
@@ -98,8 +98,17 @@ void Scenes::draw_document(const Editor& editor, const Layout& layout, Extent fr
     options.pose = Pose::deformed;
   }
   view.viewport = viewport_of(layout.canvas, framebuffer);
+  if (editor.comparison().is_held()) return draw_other_pose(editor, view, options);
+  if (editor.brush().is_on()) view.stiffness = editor.brush().factors();
   canvas_.draw(shown, view, options);
   heat_range_ = canvas_.heat_range();
+}
+
+/// What is compared with, in place of the newest.
+void Scenes::draw_other_pose(const Editor& editor, SceneView view, ViewOptions options) {
+  if (const auto kept = editor.comparison().kept()) return canvas_.draw(*kept, view, options);
+  options.pose = Pose::rest;
+  canvas_.draw(with_targets_at_rest(*editor.shown()), view, options);
 }
 
 void Scenes::draw_race(const Editor& editor, const Layout& layout, Extent framebuffer) {

@@ -28,7 +28,8 @@ class Scenes {
   void follow_texture(Editor& editor);
   void draw_preview(const Preview& preview, const Editor& editor, const Layout& layout,
                     Extent framebuffer);
-  void draw_document(const Editor& editor, const Layout& layout, Extent framebuffer);
+  void draw_document(Editor& editor, const Layout& layout, Extent framebuffer);
+  void draw_other_pose(const Editor& editor, SceneView view, ViewOptions options);
   void draw_race(const Editor& editor, const Layout& layout, Extent framebuffer);
 
   SceneRenderer canvas_;

@@ -46,6 +46,7 @@ void draw_sections(std::initializer_list<SectionRow> rows, Editor& editor,
 
 constexpr SectionRow kLayers{"Layers", draw_layers_panel};
 constexpr SectionRow kHandles{"Handles", draw_handles_panel};
+constexpr SectionRow kStiffness{"Stiffness", draw_stiffness_panel};
 constexpr SectionRow kHistory{"History", draw_history_panel};
 constexpr SectionRow kSolver{"Solver", draw_solver_panel};
 constexpr SectionRow kPlots{"Convergence", draw_plots_panel};
@@ -53,9 +54,11 @@ constexpr SectionRow kIterations{"Iterations", draw_iterations_panel};
 
 void draw_all_sections(Editor& editor, const PanelContext& context) {
   if (context.state.workspace == Workspace::animate)
-    draw_sections({kHandles, kLayers, kHistory, kSolver, kPlots, kIterations}, editor, context);
+    draw_sections({kHandles, kStiffness, kLayers, kHistory, kSolver, kPlots, kIterations}, editor,
+                  context);
   else
-    draw_sections({kLayers, kSolver, kPlots, kHandles, kHistory, kIterations}, editor, context);
+    draw_sections({kLayers, kSolver, kPlots, kHandles, kStiffness, kHistory, kIterations}, editor,
+                  context);
 }
 
 }  // namespace
@@ -69,7 +72,7 @@ void draw_side_panels(Editor& editor, const PanelContext& context) {
     return;
   }
   if (begin_panel("##left", layout.left))
-    draw_sections({kLayers, kHandles, kHistory}, editor, context);
+    draw_sections({kLayers, kHandles, kStiffness, kHistory}, editor, context);
   ImGui::End();
   if (begin_panel("##right", layout.right))
     draw_sections({kSolver, kPlots, kIterations}, editor, context);

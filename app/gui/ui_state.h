@@ -27,6 +27,7 @@ struct UiState {
   ExportDialog exporting;
   bool opens_cheat_sheet = false;
   bool shows_about = false;
+  bool shows_log = false;
   bool wants_to_quit = false;
   std::string closed_description;  ///< of a scene: it is not shown again
   /// Which of convergence_series() the plots panel draws.

@@ -85,7 +85,7 @@ Eigen::Matrix<double, 6, 6> hessian_by_corners(const Mat2& gradients, const Dens
 }
 
 double distortion_weight(const EnergySettings& settings, const RestElement& rest) {
-  return settings.area_weighted ? rest.area : settings.unit_area;
+  return rest.stiffness * (settings.area_weighted ? rest.area : settings.unit_area);
 }
 
 double barrier_weight(const EnergySettings& settings, const RestElement& rest) {
@@ -129,17 +129,27 @@ RestElement rest_element(const Corners& rest) {
   return {area, hat_gradients(rest.col(0), rest.col(1), rest.col(2), area)};
 }
 
+RestElement rest_element(const MeshPair& mesh, const Eigen::Vector3i& t) {
+  const Corners corners = corners_of(mesh.rest(), t);
+  RestElement rest = rest_element(corners);
+  if (mesh.stiffness()) rest.stiffness = mesh.stiffness()->at(corners.rowwise().mean());
+  return rest;
+}
+
 RestElement reference_element(const EnergySettings& settings, const RestElement& rest) {
   if (settings.reference == Reference::rest) return rest;
   const double side = std::sqrt(4 / std::sqrt(3.0) * rest.area);
   Corners equilateral;
   equilateral << 0, side, 0.5 * side,  //
       0, 0, 0.5 * std::sqrt(3.0) * side;
-  return rest_element(equilateral);
+  RestElement reference = rest_element(equilateral);
+  reference.stiffness = rest.stiffness;
+  return reference;
 }
 
-RestElement reference_element(const EnergySettings& settings, const Corners& rest) {
-  return reference_element(settings, rest_element(rest));
+RestElement reference_element(const EnergySettings& settings, const MeshPair& mesh,
+                              const Eigen::Vector3i& t) {
+  return reference_element(settings, rest_element(mesh, t));
 }
 
 ElementEnergy element_energy(const EnergySettings& settings, const RestElement& rest,

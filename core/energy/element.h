@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "core/energy/density.h"
+#include "core/mesh/mesh_pair.h"
 #include "core/mesh/triangle.h"
 
 namespace foldless {
@@ -36,6 +37,7 @@ struct EnergySettings {
 struct RestElement {
   double area = 0;                        ///< A > 0
   Eigen::Matrix<double, 2, 3> gradients;  ///< of the hat functions
+  double stiffness = 1;                   ///< factor on the distortion
 };
 
 /// Corners of a triangle, 2 × 3.
@@ -43,7 +45,7 @@ using Corners = Eigen::Matrix<double, 2, 3>;
 
 /// Distortion and barrier of one triangle, weights included.
 struct ElementEnergy {
-  double distortion = 0;  ///< A ψ(J)
+  double distortion = 0;  ///< A ψ(J), times the stiffness
   double barrier = 0;     ///< β χ, infinite when A′ ≤ δA, and the conformal term
   double total() const { return distortion + barrier; }
 };
@@ -62,9 +64,12 @@ struct ElementHessian {
 };
 
 RestElement rest_element(const Corners& rest);
+/// With its stiffness: that of the mesh at the centroid. `t`: vertex indices, of any triangle.
+RestElement rest_element(const MeshPair& mesh, const Eigen::Vector3i& t);
 /// What the energy compares a triangle of M with.
 RestElement reference_element(const EnergySettings& settings, const RestElement& rest);
-RestElement reference_element(const EnergySettings& settings, const Corners& rest);
+RestElement reference_element(const EnergySettings& settings, const MeshPair& mesh,
+                              const Eigen::Vector3i& t);
 /// The corners of a triangle of a mesh.
 inline Corners corners_of(const Points& points, const Eigen::Vector3i& triangle) {
   Corners corners;

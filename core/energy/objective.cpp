@@ -82,7 +82,7 @@ void Objective::follow_flips(const MeshPair& mesh) {
       triangles_of_handles_.push_back(i);
     if (triangles_.col(i) == t) continue;
     triangles_.col(i) = t;
-    rest_[static_cast<std::size_t>(i)] = rest_element(corners_of(mesh.rest(), t));
+    rest_[static_cast<std::size_t>(i)] = rest_element(mesh, t);
   }
   guard_.follow_flips(triangles_, rest_);
 }

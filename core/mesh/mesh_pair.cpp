@@ -51,6 +51,10 @@ void MeshPair::set_positions(Points rest, Points deformed) {
   deformed_ = std::move(deformed);
 }
 
+void MeshPair::set_stiffness(std::shared_ptr<const Stiffness> stiffness) {
+  stiffness_ = std::move(stiffness);
+}
+
 Edge MeshPair::edge(int e) const {
   const HalfedgeHandle h = connectivity_.halfedge_handle(EdgeHandle(e), 0);
   const int a = connectivity_.from_vertex_handle(h).idx();

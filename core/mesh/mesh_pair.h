@@ -3,9 +3,11 @@
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/mesh/stiffness.h"
 #include "core/mesh/triangle.h"
 
 namespace foldless {
@@ -41,6 +43,10 @@ class MeshPair {
   void set_deformed(Points deformed);
   /// Replaces both arrays, 2 × #V; the connectivity stays.
   void set_positions(Points rest, Points deformed);
+
+  /// Of the plane of M, in the units of rest(); null: 1 everywhere.
+  const std::shared_ptr<const Stiffness>& stiffness() const { return stiffness_; }
+  void set_stiffness(std::shared_ptr<const Stiffness> stiffness);
 
   /// Changes with every flip and split, unique in the process: equal numbers mean equal triangles.
   std::uint64_t revision() const { return revision_; }
@@ -84,6 +90,7 @@ class MeshPair {
   Triangles triangles_;  ///< copy of the connectivity in the order solvers read it
   Points rest_;
   Points deformed_;
+  std::shared_ptr<const Stiffness> stiffness_;
   std::uint64_t revision_ = 0;
 };
 

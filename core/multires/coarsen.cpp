@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace foldless {
 namespace {
@@ -74,9 +75,10 @@ class Coarsening {
         triangles(corner++, count) = new_index[static_cast<std::size_t>(v.idx())];
       ++count;
     }
-    return {MeshPair(triangles.leftCols(count), mesh_.rest()(Eigen::all, vertices),
-                     mesh_.deformed()(Eigen::all, vertices)),
-            vertices};
+    MeshPair coarse(triangles.leftCols(count), mesh_.rest()(Eigen::all, vertices),
+                    mesh_.deformed()(Eigen::all, vertices));
+    coarse.set_stiffness(mesh_.stiffness());
+    return {std::move(coarse), vertices};
   }
 
  private:

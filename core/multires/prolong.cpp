@@ -21,7 +21,7 @@ constexpr double kNoEnergy = 1e-6;
 
 double energy_per_area(const MeshPair& mesh, int t, const EnergySettings& energy) {
   const Eigen::Vector3i corners = mesh.triangles().col(t);
-  const RestElement rest = reference_element(energy, corners_of(mesh.rest(), corners));
+  const RestElement rest = reference_element(energy, mesh, corners);
   return element_energy(energy, rest, corners_of(mesh.deformed(), corners)).total() / rest.area;
 }
 

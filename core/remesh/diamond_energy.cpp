@@ -43,7 +43,7 @@ double energy_of(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangle
                  const EnergySettings& settings) {
   double sum = 0;
   for (const Eigen::Vector3i& t : triangles)
-    sum += element_energy(settings, reference_element(settings, corners_of(mesh.rest(), t)),
+    sum += element_energy(settings, reference_element(settings, mesh, t),
                           corners_of(mesh.deformed(), t))
                .total();
   return sum;
@@ -55,9 +55,8 @@ double condition_of(const MeshPair& mesh, const TrianglePair& triangles, const D
   Eigen::Matrix<double, 2, 4> gradient = Eigen::Matrix<double, 2, 4>::Zero();
   double energy = 0;
   for (const Eigen::Vector3i& t : triangles) {
-    const ElementGradient e =
-        element_gradient(settings, reference_element(settings, corners_of(mesh.rest(), t)),
-                         corners_of(mesh.deformed(), t));
+    const ElementGradient e = element_gradient(settings, reference_element(settings, mesh, t),
+                                               corners_of(mesh.deformed(), t));
     energy += e.energy.total();
     for (int corner = 0; corner < 3; ++corner) {
       const auto place = std::ranges::find(vertices, t[corner]) - vertices.begin();

@@ -18,8 +18,7 @@ std::vector<double> triangle_energies(const MeshPair& mesh, const EnergySettings
   std::vector<double> energies;
   energies.reserve(static_cast<std::size_t>(mesh.face_count()));
   for (const auto& t : mesh.triangles().colwise())
-    energies.push_back(element_energy(settings,
-                                      reference_element(settings, corners_of(mesh.rest(), t)),
+    energies.push_back(element_energy(settings, reference_element(settings, mesh, t),
                                       corners_of(mesh.deformed(), t))
                            .total());
   return energies;

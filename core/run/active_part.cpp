@@ -79,6 +79,7 @@ Problem ActivePart::of(const Problem& problem) const {
   Problem cut{{}, problem.energy, problem.handles, problem.parameters, problem.original};
   cut.mesh = MeshPair(triangles, problem.mesh.rest()(Eigen::all, whole),
                       problem.mesh.deformed()(Eigen::all, whole));
+  cut.mesh.set_stiffness(problem.mesh.stiffness());
   for (Handle& handle : cut.handles) handle.vertex = part[at(handle.vertex)];
   if (cut.original)
     cut.original->vertices = static_cast<int>(

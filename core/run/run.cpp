@@ -51,6 +51,7 @@ Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& 
     : start_method_(starter),
       energy_(problem.energy),
       parameters_(problem.parameters),
+      stiffness_(problem.mesh.stiffness()),
       original_(original_of(problem)),
       goal_(problem.handles, *original_.triangles, problem.mesh.rest(),
             active_diagonal(problem.mesh.triangles(), problem.mesh.rest(), problem.handles)) {
@@ -110,8 +111,9 @@ std::shared_ptr<const Snapshot> Run::with_handles(const Snapshot& snapshot) cons
 }
 
 Problem Run::resumed() const {
-  return {MeshPair(*valid_->triangles, *valid_->rest, valid_->deformed), energy_, goal_.handles(),
-          parameters_, original_};
+  MeshPair mesh(*valid_->triangles, *valid_->rest, valid_->deformed);
+  mesh.set_stiffness(stiffness_);
+  return {std::move(mesh), energy_, goal_.handles(), parameters_, original_};
 }
 
 }  // namespace foldless

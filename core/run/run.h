@@ -70,6 +70,7 @@ class Run {
   const MethodStarter start_method_;
   const Density* energy_;
   Parameters parameters_;
+  std::shared_ptr<const Stiffness> stiffness_;
   OriginalMesh original_;
   Goal goal_;  ///< input units
   std::optional<Publisher> publisher_;

@@ -44,6 +44,10 @@ const T& JsonValue::expect(std::string_view kind) const {
 }
 
 double JsonValue::number() const { return expect<double>("a number"); }
+double JsonValue::number_above_zero() const {
+  if (!(number() > 0)) refuse("is " + shown() + ", but a number greater than 0 is needed");
+  return number();
+}
 bool JsonValue::boolean() const { return expect<bool>("true or false"); }
 const std::string& JsonValue::text() const { return expect<std::string>("a text"); }
 

@@ -26,6 +26,7 @@ class JsonValue {
   const JsonNode& node() const { return *node_; }
 
   double number() const;  ///< finite
+  double number_above_zero() const;
   int integer() const;
   bool boolean() const;
   const std::string& text() const;

@@ -10,6 +10,8 @@
 
 #include "core/energy/density.h"
 #include "core/handle.h"
+#include "core/mesh/mesh_pair.h"
+#include "core/mesh/stiffness.h"
 #include "core/mesh/triangle.h"
 #include "core/scene/parameters.h"
 
@@ -39,8 +41,9 @@ struct Scene {
   Triangles triangles;       ///< 3 × #F of the original mesh, validated
   Points rest;               ///< 2 × #V of the original mesh
   std::string texture_path;  ///< as written, relative to `folder`; empty: checkerboard
-  std::optional<TextureBox> texture_box;  ///< absent: the box of the rest mesh
-  const Density* energy = nullptr;        ///< a row of densities(); never null after loading
+  std::optional<TextureBox> texture_box;       ///< absent: the box of the rest mesh
+  const Density* energy = nullptr;             ///< a row of densities(); never null after loading
+  std::shared_ptr<const Stiffness> stiffness;  ///< of the rest plane; null: 1 everywhere
   std::vector<Handle> handles;  ///< vertices of the original mesh, or of `state` where there is one
   Parameters parameters;
   std::optional<SceneState> state;
@@ -48,5 +51,8 @@ struct Scene {
   std::shared_ptr<const nlohmann::json> view;
   std::string description;  ///< one line on what to look at; may be empty
 };
+
+/// The mesh pair as the user left it, or the original at rest, with its stiffness.
+MeshPair mesh_of(const Scene& scene);
 
 }  // namespace foldless

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <utility>
 
 #include "core/energy/densities.h"
@@ -11,15 +10,18 @@
 #include "core/files/polygon_soup.h"
 #include "core/files/text_lines.h"
 #include "core/files/validate.h"
-#include "core/scene/handle_kind.h"
 #include "core/scene/json_value.h"
 #include "core/scene/parameter_keys.h"
+#include "core/scene/read_handles.h"
 #include "core/scene/scene_io.h"
 
 namespace foldless {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Beyond them the energy of the rest is rounding.
+constexpr double kLeastStiffness = 1e-3, kLargestStiffness = 1e6;
 
 std::vector<int> lines_of_items(const JsonValue& array) {
   std::vector<int> lines;
@@ -54,16 +56,18 @@ class SceneReader {
     const JsonValue root(node, name_);
     read_version(root);
     root.allow_only({"version", "description", "mesh", "texture", "texture_box", "energy",
-                     "handles", "solver", "state"});
+                     "stiffness", "handles", "solver", "state"});
     scene_.folder = fs::absolute(file_).parent_path();
     if (const auto text = root.find("description")) scene_.description = text->text();
     if (const auto path = root.find("texture")) scene_.texture_path = path->text();
     if (const auto box = root.find("texture_box")) scene_.texture_box = read_box(*box);
     read_energy(root.at("energy"));
+    if (const auto strokes = root.find("stiffness")) read_stiffness(*strokes);
     if (const auto solver = root.find("solver")) read_solver(*solver);
     read_mesh_of(root.at("mesh"));
     if (const auto state = root.find("state")) read_state(*state);
-    if (const auto handles = root.find("handles")) read_handles(*handles);
+    if (const auto handles = root.find("handles"))
+      scene_.handles = read_handles(*handles, used_vertices());
     return {std::move(scene_), std::move(notices_)};
   }
 
@@ -92,6 +96,29 @@ class SceneReader {
     std::vector<std::string_view> names;
     for (const Density& density : densities()) names.push_back(density.name);
     energy.refuse("is " + energy.shown() + ", which is unknown; known are " + listed(names));
+  }
+
+  static Points middle_of_stroke(const JsonValue& stroke) {
+    const auto line = stroke.find("line");
+    if (!line) return stroke.at("center").point();
+    if (stroke.find("center")) line->refuse("and 'center' exclude each other");
+    Points points = line->points();
+    if (points.cols() == 0) line->refuse("is empty, but points [[x, y], ...] are needed");
+    return points;
+  }
+
+  void read_stiffness(const JsonValue& value) {
+    std::vector<StiffStroke> strokes;
+    for (const JsonValue& item : value.items()) {
+      item.allow_only({"center", "line", "radius", "factor"});
+      strokes.push_back({middle_of_stroke(item), item.at("radius").number_above_zero(),
+                         item.at("factor").number()});
+      const StiffStroke& stroke = strokes.back();
+      if (!(stroke.factor >= kLeastStiffness && stroke.factor <= kLargestStiffness))
+        item.at("factor").refuse("is " + item.at("factor").shown() +
+                                 ", but a number from 0.001 to 1000000 is needed");
+    }
+    if (!strokes.empty()) scene_.stiffness = std::make_shared<const Stiffness>(std::move(strokes));
   }
 
   void read_solver(const JsonValue& solver) {
@@ -177,86 +204,12 @@ class SceneReader {
                   "; the mesh may have been changed after the scene was saved");
   }
 
-  void read_handles(const JsonValue& handles) {
-    const std::vector<bool> used = used_vertices();
-    std::vector<bool> named(used.size(), false);
-    std::vector<std::optional<int>> ids;
-    for (const JsonValue& item : handles.items()) {
-      item.allow_only(
-          {"vertex", "target", "id", "kind", "weight", "depth", "angle", "radius", "name"});
-      Handle handle;
-      handle.vertex = read_vertex(item.at("vertex"), used, named);
-      handle.target = item.at("target").point();
-      if (const auto kind = item.find("kind")) handle.kind = read_kind(*kind);
-      if (const auto weight = item.find("weight")) handle.weight = read_weight(*weight);
-      if (const auto depth = item.find("depth")) handle.depth = depth->number();
-      if (item.find("angle") || item.find("radius")) handle.turn = read_turn(item);
-      if (const auto name = item.find("name")) handle.name = name->text();
-      const auto id = item.find("id");
-      ids.push_back(id ? std::optional(read_id(*id, ids)) : std::nullopt);
-      scene_.handles.push_back(handle);
-    }
-    name_handles(ids);
-  }
-
   std::vector<bool> used_vertices() const {
     const Triangles& triangles = scene_.state ? scene_.state->triangles : scene_.triangles;
     const Points& points = scene_.state ? scene_.state->rest : scene_.rest;
     std::vector<bool> used(static_cast<std::size_t>(points.cols()), false);
     for (const int v : triangles.reshaped()) used[static_cast<std::size_t>(v)] = true;
     return used;
-  }
-
-  static int read_vertex(const JsonValue& value, const std::vector<bool>& used,
-                         std::vector<bool>& named) {
-    const int vertex = value.integer();
-    const auto v = static_cast<std::size_t>(vertex);
-    if (vertex < 0 || v >= used.size())
-      value.refuse("is " + value.shown() + ", but the vertices are 0 to " +
-                   std::to_string(used.size() - 1));
-    if (named[v]) value.refuse("is " + value.shown() + ", which an earlier handle names already");
-    if (!used[v]) value.refuse("is " + value.shown() + ", a vertex that belongs to no triangle");
-    named[v] = true;
-    return vertex;
-  }
-
-  static HandleKind read_kind(const JsonValue& value) {
-    const auto kind = handle_kind(value.text());
-    if (!kind) value.refuse("is " + value.shown() + ", but drag, pin or soft is needed");
-    return *kind;
-  }
-
-  static double read_weight(const JsonValue& value) {
-    if (!(value.number() > 0))
-      value.refuse("is " + value.shown() + ", but a number greater than 0 is needed");
-    return value.number();
-  }
-
-  static Turn read_turn(const JsonValue& handle) {
-    const JsonValue radius = handle.at("radius");
-    if (!(radius.number() > 0))
-      radius.refuse("is " + radius.shown() + ", but a number greater than 0 is needed");
-    return {handle.at("angle").number(), radius.number()};
-  }
-
-  static int read_id(const JsonValue& value, const std::vector<std::optional<int>>& earlier) {
-    const int id = value.integer();
-    if (std::ranges::find(earlier, std::optional(id)) != earlier.end())
-      value.refuse("is " + value.shown() + ", which an earlier handle has already");
-    return id;
-  }
-
-  /// A handle without an id has its place in the list as its name, or else the next free number.
-  void name_handles(const std::vector<std::optional<int>>& ids) {
-    std::set<int> taken;
-    for (const auto& id : ids)
-      if (id) taken.insert(*id);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      int id = ids[i].value_or(static_cast<int>(i));
-      if (!ids[i])
-        while (!taken.insert(id).second) ++id;
-      scene_.handles[i].id = id;
-    }
   }
 
   const fs::path file_;

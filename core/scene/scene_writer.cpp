@@ -40,6 +40,21 @@ JsonNode mesh_node(const Scene& scene, const std::string& path) {
                            {"triangles", triangles_node(scene.triangles)}}};
 }
 
+JsonNode stiffness_node(const Stiffness& stiffness) {
+  JsonNode::Array array;
+  for (const StiffStroke& stroke : stiffness.strokes()) {
+    JsonNode::Object object;
+    if (stroke.line.cols() == 1)
+      object.emplace_back("center", point_node(stroke.line.col(0)));
+    else
+      object.emplace_back("line", points_node(stroke.line));
+    object.emplace_back("radius", JsonNode{stroke.radius});
+    object.emplace_back("factor", JsonNode{stroke.factor});
+    array.push_back({std::move(object)});
+  }
+  return {std::move(array)};
+}
+
 JsonNode handles_node(const std::vector<Handle>& handles) {
   JsonNode::Array array;
   for (const Handle& handle : handles) {
@@ -115,6 +130,7 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
     root.emplace_back("texture_box",
                       JsonNode{JsonNode::Array{point_node(box->min), point_node(box->max)}});
   root.emplace_back("energy", JsonNode{std::string(scene.energy->name)});
+  if (scene.stiffness) root.emplace_back("stiffness", stiffness_node(*scene.stiffness));
   root.emplace_back("handles", handles_node(scene.handles));
   root.emplace_back("solver", solver_node(scene.parameters));
   if (scene.state || scene.view) root.emplace_back("state", state_node(scene));

@@ -47,6 +47,9 @@ std::unique_ptr<Tool> make_transform_tool(Transformation what, const Vec2& from,
 /// The same turn of one handle by its ring, while the left button is down.
 std::unique_ptr<Tool> make_ring_tool(const Vec2& from, std::vector<Target> starts);
 
+/// Paints with the stiffness brush until the left button is released; with Shift it takes back.
+std::unique_ptr<Tool> begin_painting(Editor& editor, const PointerPressed& event);
+
 /// Moves the view until the button is released.
 std::unique_ptr<Tool> make_pan_tool(const Vec2& from, Button button);
 

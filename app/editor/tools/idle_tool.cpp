@@ -6,6 +6,8 @@
 namespace foldless {
 namespace {
 
+constexpr double kSizeStep = 1.25;
+
 class IdleTool final : public Tool {
  public:
   bool is_idle() const override { return true; }
@@ -15,6 +17,7 @@ class IdleTool final : public Tool {
       return make_pan_tool(event.position, event.button);
     if (editor.input().is_lasso_held())
       return make_lasso_tool(event.position, band_mode(event.modifiers));
+    if (editor.brush().is_on()) return begin_painting(editor, event);
     const Snapshot* shown = editor.shown().get();
     if (const auto hit = pick_handle(shown, editor.canvas(), event.position)) {
       const bool is_selected = editor.selection().ids().contains(hit->id);
@@ -28,9 +31,23 @@ class IdleTool final : public Tool {
   }
 
   std::unique_ptr<Tool> move(Editor& editor, const PointerMoved& event) override {
+    if (editor.brush().is_on()) {
+      editor.selection().hover(std::nullopt);
+      editor.messages().redraw();  // the brush follows the pointer
+      return nullptr;
+    }
     const auto hit = pick_handle(editor.shown().get(), editor.canvas(), event.position);
     editor.selection().hover(hit ? std::optional(hit->id) : std::nullopt);
     return nullptr;
+  }
+
+  /// Brackets change the size of the brush that is in the hand, not depths.
+  bool key(Editor& editor, const KeyPressed& event, std::unique_ptr<Tool>&) override {
+    const bool grows = event.key == Key::right_bracket;
+    if (!editor.brush().is_on() || !(event.modifiers == Modifiers{})) return false;
+    if (!grows && event.key != Key::left_bracket) return false;
+    editor.brush().set_radius(editor.brush().radius() * (grows ? kSizeStep : 1 / kSizeStep));
+    return true;
   }
 };
 

@@ -61,6 +61,7 @@ int Workspace::collapse_edges(const CollapseSettings& collapse) {
 }
 
 void Workspace::set_mesh(MeshPair other) {
+  other.set_stiffness(mesh.stiffness());
   mesh = std::move(other);
   system.rebuild(mesh, constraints, mesh.edge_count());
 }

@@ -184,6 +184,37 @@ TEST_F(Files, DroppedMeshOpens) {
   EXPECT_FALSE(editor_->files().is_dirty());
 }
 
+TEST_F(Files, AMeshAndAnImageThatAreDroppedTogetherAreOneDocument) {
+  write(file("cat.png"), "pixels");
+  write(file("triangle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  editor_->receive(FilesDropped{{file("cat.png"), file("triangle.obj")}}, now_);
+  EXPECT_EQ(editor_->document().original->triangles.cols(), 1) << last_toast();
+  EXPECT_EQ(editor_->document().texture, file("cat.png"));
+  EXPECT_TRUE(editor_->messages().toasts().empty()) << last_toast();
+}
+
+TEST_F(Files, OfManyThatAreDroppedOneIsOpenedAndTheRestIsSaid) {
+  for (const char* name : {"first.obj", "second.obj", "third.obj"})
+    write(file(name), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  editor_->receive(FilesDropped{{file("first.obj"), file("second.obj"), file("third.obj")}}, now_);
+  EXPECT_EQ(editor_->files().title(), "first");
+  EXPECT_NE(last_toast().find("2 of the files were left out"), std::string::npos) << last_toast();
+  editor_->receive(FilesDropped{}, now_);
+  EXPECT_EQ(editor_->files().title(), "first");
+}
+
+TEST_F(Files, TheTextureOfADropWaitsForTheQuestionToo) {
+  write(file("cat.png"), "pixels");
+  write(file("triangle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  place(0);
+  editor_->receive(FilesDropped{{file("triangle.obj"), file("cat.png")}}, now_);
+  ASSERT_TRUE(editor_->files().question());
+  EXPECT_TRUE(editor_->document().texture.empty());
+  editor_->files().answer(Answer::discard);
+  EXPECT_EQ(editor_->document().texture, file("cat.png"));
+  EXPECT_EQ(editor_->files().title(), "\u25cf triangle");
+}
+
 TEST_F(Files, SamplesAreCopiesThatAreSavedElsewhere) {
   place(0);
   ASSERT_TRUE(editor_->files().save_as(file("sample.json")));

@@ -29,6 +29,21 @@ TEST(Messages, WhatIsSaidAgainIsShownOnce) {
   EXPECT_EQ(messages.next_wake(), 7);
 }
 
+TEST(Messages, AllThatWereShownAreLogged) {
+  Messages messages;
+  messages.tick(5);
+  messages.toast(ToastKind::notice, "Saved");
+  messages.tick(100);
+  messages.toast(ToastKind::error, "Not saved");
+  ASSERT_EQ(messages.log().size(), 2U);
+  EXPECT_EQ(messages.log()[0].text, "Saved");
+  EXPECT_EQ(messages.log()[0].time, 5);
+  EXPECT_EQ(messages.log()[1].kind, ToastKind::error);
+  for (int i = 0; i < 2000; ++i) messages.toast(ToastKind::notice, std::to_string(i));
+  EXPECT_EQ(messages.log().size(), Messages::kMostLogged);
+  EXPECT_EQ(messages.log().back().text, "1999");
+}
+
 TEST(Messages, ARequestAndARedrawAreGivenOnce) {
   Messages messages;
   messages.take_redraw();

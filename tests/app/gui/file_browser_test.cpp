@@ -173,6 +173,24 @@ TEST_F(FileBrowserTest, AnExportThatFailsAsksAgain) {
   EXPECT_TRUE(std::filesystem::exists(blocker / "shot.png"));
 }
 
+TEST_F(FileBrowserTest, APictureIsExportedInAnySize) {
+  headless_.key(Key::e, kCtrl);
+  const Vec2 width{399, 268}, height{481, 268};
+  for (const auto& [field, pixels] : {std::pair{width, "300"}, std::pair{height, "120"}}) {
+    headless_.click(field);
+    headless_.key(Key::a, kCtrl);
+    headless_.type(pixels);
+    headless_.key(Key::enter);
+  }
+  headless_.key(Key::enter);
+  ASSERT_TRUE(is_open());
+  retype(folder_ / "wide.png");
+  headless_.key(Key::enter);
+  const Image picture = load_image(folder_ / "wide.png");
+  EXPECT_EQ(picture.width, 300);
+  EXPECT_EQ(picture.height, 120);
+}
+
 TEST_F(FileBrowserTest, AnEmptyFolderIsNoReasonNotToSaveThere) {
   headless_.key(Key::o, kCtrl);
   go_to(folder_ / "empty");

@@ -5,7 +5,9 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <memory>
 #include <random>
+#include <vector>
 
 #include "tests/support/dense_matrix.h"
 #include "tests/support/finite_difference.h"
@@ -31,11 +33,20 @@ Points shaken(const Points& rest, unsigned seed) {
   return u;
 }
 
+/// Ten times as stiff near the left side of a grid.
+std::shared_ptr<const Stiffness> half_stiff() {
+  Points line(2, 2);
+  line << 0, 0,  //
+      0, 2;
+  return std::make_shared<const Stiffness>(std::vector<StiffStroke>{{line, 1, 10}});
+}
+
 class ObjectiveTest : public testing::TestWithParam<Density> {};
 
 TEST_P(ObjectiveTest, GradientAndHessianAgreeWithFiniteDifferences) {
   const auto f = test::square_grid(3);
-  const MeshPair mesh(f.triangles, f.rest);
+  MeshPair mesh(f.triangles, f.rest);
+  mesh.set_stiffness(half_stiff());
   // α is small here so that the penalty does not hide the other terms.
   for (const bool weighted : {true, false}) {
     Energy e{{&GetParam(), 3.0, 0.7, 1e-2, weighted}, corner_handles(f.rest)};
@@ -148,6 +159,34 @@ TEST(Objective, SumsArePerAreaOrPerTriangleAsTheSettingsSay) {
   settings.conformal_weight = 0.2;
   const double conformal = std::pow(map.J.squaredNorm() / (2 * map.J.determinant()), 2);
   EXPECT_NEAR(map.value(settings).barrier, 0.2 * 8 * conformal, 1e-12);
+}
+
+TEST(Objective, StiffnessIsAFactorOnTheDistortionOfWhatItCovers) {
+  const auto f = test::square_grid(3);
+  MeshPair mesh(f.triangles, f.rest);
+  const Points u = shaken(f.rest, 5);
+  const Constraints constraints = corner_handles(f.rest);
+  for (const bool weighted : {true, false})
+    for (const Reference reference : {Reference::rest, Reference::equilateral}) {
+      Energy e{{find_density("arap"), 3.0, 0.7, 1e-2, weighted}, constraints};
+      e.settings.reference = reference;
+      const auto distortion = [&](const std::vector<Eigen::Index>& triangles) {
+        Triangles some(3, static_cast<Eigen::Index>(triangles.size()));
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+          some.col(static_cast<Eigen::Index>(i)) = f.triangles.col(triangles[i]);
+        return Objective(MeshPair(some, f.rest), constraints).value(e, u).distortion;
+      };
+      // The cells of the left column are the first two of each row of two.
+      const double left = distortion({0, 1, 4, 5}), right = distortion({2, 3, 6, 7});
+      mesh.set_stiffness(nullptr);
+      const EnergyTerms plain = Objective(mesh, constraints).value(e, u);
+      EXPECT_NEAR(plain.distortion, left + right, 1e-12);
+      mesh.set_stiffness(half_stiff());
+      const EnergyTerms stiff = Objective(mesh, constraints).value(e, u);
+      EXPECT_NEAR(stiff.distortion, 10 * left + right, 1e-11);
+      EXPECT_EQ(stiff.barrier, plain.barrier);
+      EXPECT_EQ(stiff.penalty, plain.penalty);
+    }
 }
 
 TEST(Objective, AnEquilateralReferenceForgetsTheRestShapeButNotItsArea) {

@@ -32,6 +32,9 @@ Scene full_scene() {
   scene.texture_path = "pictures/a \"b\".png";
   scene.texture_box = TextureBox{{-0.25, 0}, {1, 1.5}};
   scene.energy = find_density("green-strain");
+  const Points line = (Points(2, 2) << 0.1, 1.0 / 3, 0.2, 0.3).finished();
+  scene.stiffness = std::make_shared<const Stiffness>(
+      std::vector<StiffStroke>{{line, 0.1, 1000}, {line.leftCols(1), 1.0 / 7, 1}});
   scene.handles = {{4, 2, Vec2(0.1 + 0.2, -1e300), HandleKind::pin, 1},
                    {1, 0, Vec2(0, 5e-324), HandleKind::soft, 0.125, -1.0 / 3,
                     Turn{-1234.5, 1.0 / 7}, "Лапа \"left\""}};
@@ -50,6 +53,10 @@ void expect_equal(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.texture_path, b.texture_path);
   EXPECT_EQ(a.texture_box, b.texture_box);
   EXPECT_EQ(a.energy, b.energy);
+  ASSERT_EQ(a.stiffness != nullptr, b.stiffness != nullptr);
+  if (a.stiffness) {
+    EXPECT_EQ(*a.stiffness, *b.stiffness);
+  }
   EXPECT_EQ(a.handles, b.handles);
   EXPECT_EQ(a.parameters, b.parameters);
   EXPECT_EQ(a.description, b.description);

@@ -24,7 +24,7 @@ TEST(SceneMessages, NameUnknownWords) {
   EXPECT_EQ(
       folder.error_with(R"("colour": "red")"),
       "scene.json:2: 'colour' = 'red' is an unknown key; known keys are version, description, "
-      "mesh, texture, texture_box, energy, handles, solver, state");
+      "mesh, texture, texture_box, energy, stiffness, handles, solver, state");
   EXPECT_TRUE(folder.error_with(R"("solver": {"detla": 1e-5})")
                   .starts_with("scene.json:2: solver.'detla' = 1e-05 is an unknown key"));
   EXPECT_TRUE(folder.error_with(R"("handles": [{"vertex": 0, "target": [0, 0], "x": 1}])")
@@ -181,6 +181,31 @@ TEST(SceneMessages, NameWhatIsWrongWithTheState) {
                   .starts_with("scene.json:2: state.rest has 3 vertices, but the mesh has 5;"));
   EXPECT_TRUE(error("\"triangles\": [[0,1,7]], " + rest + ", \"deformed\": []")
                   .starts_with("scene.json:2: state.rest: face 0 names vertex 7"));
+}
+
+TEST(SceneMessages, NameWhatIsWrongWithStiffness) {
+  const SceneFolder folder;
+  const auto error = [&](const std::string& stroke) {
+    return folder.error_with("\"stiffness\": [{" + stroke + "}]");
+  };
+  const std::string line = "\"line\": [[0, 0]], ";
+  EXPECT_EQ(error("\"line\": [], \"radius\": 1, \"factor\": 2"),
+            "scene.json:2: stiffness[0].line is empty, but points [[x, y], ...] are needed");
+  EXPECT_EQ(error(line + "\"radius\": 0, \"factor\": 2"),
+            "scene.json:2: stiffness[0].radius is 0, but a number greater than 0 is needed");
+  EXPECT_EQ(
+      error(line + "\"radius\": 1, \"factor\": -2"),
+      "scene.json:2: stiffness[0].factor is -2, but a number from 0.001 to 1000000 is needed");
+  EXPECT_EQ(error(line + "\"center\": [0, 0], \"radius\": 1, \"factor\": 2"),
+            "scene.json:2: stiffness[0].line and 'center' exclude each other");
+  EXPECT_EQ(error("\"radius\": 1, \"factor\": 2"),
+            "scene.json:2: stiffness[0] has no key 'center', which is needed");
+  EXPECT_EQ(error(line + "\"radius\": 1"),
+            "scene.json:2: stiffness[0] has no key 'factor', which is needed");
+  EXPECT_EQ(
+      error(line + "\"radius\": 1, \"factor\": 2, \"colour\": 3"),
+      "scene.json:2: stiffness[0].'colour' = 3 is an unknown key; known keys are center, line, "
+      "radius, factor");
 }
 
 TEST(SceneMessages, NameAMissingScene) {

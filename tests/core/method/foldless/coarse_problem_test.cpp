@@ -37,6 +37,15 @@ TEST(CoarseProblem, HasAboutTheVerticesThatWereAskedForAndTheSameHandles) {
   }
 }
 
+TEST(CoarseProblem, IsAsStiff) {
+  Problem problem = bent_bar();
+  problem.mesh.set_stiffness(std::make_shared<const Stiffness>(
+      std::vector<StiffStroke>{{problem.mesh.rest().col(0), 0.1, 10}}));
+  const auto coarse = coarse_problem(problem, kSmall);
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(coarse->problem.mesh.stiffness(), problem.mesh.stiffness());
+}
+
 TEST(CoarseProblem, ThereIsNoneWhereEveryHandleHasAShortWay) {
   Problem problem = bent_bar();
   const double D = bounding_box_diagonal(problem.mesh.rest());

@@ -10,6 +10,16 @@ namespace {
 
 using test::OwnWorkspace;
 
+TEST(Workspace, StaysAsStiffWithAnotherMesh) {
+  OwnWorkspace own = test::arrived_workspace(1);
+  Workspace& work = own.work;
+  const auto stiffness = std::make_shared<const Stiffness>(
+      std::vector<StiffStroke>{{work.mesh.rest().col(0), 0.1, 10}});
+  work.mesh.set_stiffness(stiffness);
+  work.set_mesh({work.mesh.triangles(), work.mesh.rest()});
+  EXPECT_EQ(work.mesh.stiffness(), stiffness);
+}
+
 TEST(Workspace, ARecordIsOfTheRealTargetsWhateverItAimedAt) {
   OwnWorkspace own = test::arrived_workspace(3);
   Workspace& work = own.work;

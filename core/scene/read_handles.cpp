@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/read_handles.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "core/scene/handle_kind.h"
+
+namespace foldless {
+namespace {
+
+using Ids = std::vector<std::optional<int>>;
+
+int read_vertex(const JsonValue& value, const std::vector<bool>& used, std::vector<bool>& named) {
+  const int vertex = value.integer();
+  const auto v = static_cast<std::size_t>(vertex);
+  if (vertex < 0 || v >= used.size())
+    value.refuse("is " + value.shown() + ", but the vertices are 0 to " +
+                 std::to_string(used.size() - 1));
+  if (named[v]) value.refuse("is " + value.shown() + ", which an earlier handle names already");
+  if (!used[v]) value.refuse("is " + value.shown() + ", a vertex that belongs to no triangle");
+  named[v] = true;
+  return vertex;
+}
+
+HandleKind read_kind(const JsonValue& value) {
+  const auto kind = handle_kind(value.text());
+  if (!kind) value.refuse("is " + value.shown() + ", but drag, pin or soft is needed");
+  return *kind;
+}
+
+int read_id(const JsonValue& value, const Ids& earlier) {
+  const int id = value.integer();
+  if (std::ranges::find(earlier, std::optional(id)) != earlier.end())
+    value.refuse("is " + value.shown() + ", which an earlier handle has already");
+  return id;
+}
+
+void name_handles(const Ids& ids, std::vector<Handle>& handles) {
+  std::set<int> taken;
+  for (const auto& id : ids)
+    if (id) taken.insert(*id);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    int id = ids[i].value_or(static_cast<int>(i));
+    if (!ids[i])
+      while (!taken.insert(id).second) ++id;
+    handles[i].id = id;
+  }
+}
+
+}  // namespace
+
+std::vector<Handle> read_handles(const JsonValue& handles, const std::vector<bool>& used_vertices) {
+  std::vector<bool> named(used_vertices.size(), false);
+  std::vector<Handle> result;
+  Ids ids;
+  for (const JsonValue& item : handles.items()) {
+    item.allow_only(
+        {"vertex", "target", "id", "kind", "weight", "depth", "angle", "radius", "name"});
+    Handle handle;
+    handle.vertex = read_vertex(item.at("vertex"), used_vertices, named);
+    handle.target = item.at("target").point();
+    if (const auto kind = item.find("kind")) handle.kind = read_kind(*kind);
+    if (const auto weight = item.find("weight")) handle.weight = weight->number_above_zero();
+    if (const auto depth = item.find("depth")) handle.depth = depth->number();
+    if (item.find("angle") || item.find("radius"))
+      handle.turn = Turn{item.at("angle").number(), item.at("radius").number_above_zero()};
+    if (const auto name = item.find("name")) handle.name = name->text();
+    const auto id = item.find("id");
+    ids.push_back(id ? std::optional(read_id(*id, ids)) : std::nullopt);
+    result.push_back(handle);
+  }
+  name_handles(ids, result);
+  return result;
+}
+
+}  // namespace foldless

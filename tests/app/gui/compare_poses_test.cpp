@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is compared on the canvas, and the log of messages.
+#include <gtest/gtest.h>
+
+#include "core/mesh/generate.h"
+#include "tests/app/gui/headless_editor.h"
+
+namespace foldless::test {
+namespace {
+
+class ComparePoses : public testing::Test {
+ protected:
+  ComparePoses() {
+    editor().files().open_shape(grid({.columns = 12, .rows = 4, .width = 6}), "strip");
+    headless_.calm_down();
+    headless_.click(headless_.window_point(editor().shown()->deformed.col(0)));
+    const Vec2 from = headless_.window_point(editor().shown()->deformed.col(64));
+    headless_.press(from);
+    headless_.move(from + Vec2(-60, 40));
+    headless_.release(from + Vec2(-60, 40));
+    headless_.calm_down();
+  }
+  Editor& editor() { return headless_.editor(); }
+
+  std::string clipboard_;
+  HeadlessEditor headless_{
+      {1280, 800}, {.set_clipboard = [this](const std::string& text) { clipboard_ = text; }}};
+};
+
+TEST_F(ComparePoses, TheRestShapeIsSeenAsLongAsTheKeyIsHeld) {
+  const Image posed = headless_.picture();
+  editor().run_command("compare.hold");
+  headless_.settle();
+  const Image at_rest = headless_.picture();
+  EXPECT_GT(differing_pixels(posed, at_rest), 3000);
+  editor().comparison().hold(false);
+  headless_.settle();
+  EXPECT_EQ(differing_pixels(posed, headless_.picture()), 0);
+}
+
+TEST_F(ComparePoses, OutlinesAreDrawn) {
+  const Image before = headless_.picture();
+  headless_.key(Key::o);
+  headless_.settle();
+  EXPECT_GT(differing_pixels(before, headless_.picture()), 500);
+  headless_.key(Key::o);
+  headless_.settle();
+  EXPECT_EQ(differing_pixels(before, headless_.picture()), 0);
+}
+
+TEST_F(ComparePoses, MessagesAreKeptAsTextThatIsCopied) {
+  editor().messages().toast(ToastKind::error, "The first of them");
+  editor().messages().toast(ToastKind::notice, "The second of them");
+  headless_.key(Key::k, {.control = true});
+  headless_.type("messages");
+  headless_.key(Key::enter);
+  headless_.settle();
+  headless_.click({338, 572});
+  EXPECT_NE(clipboard_.find("error: The first of them\n"), std::string::npos) << clipboard_;
+  EXPECT_NE(clipboard_.find("The second of them\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace foldless::test
