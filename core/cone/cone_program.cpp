@@ -45,6 +45,13 @@ class InteriorPoint {
     double objective = 0;
     double merit = 0;  ///< the largest of all, each in units of its tolerance
   };
+  /// The best iterate so far, and how long ago there was a gain.
+  struct Best {
+    ConeSolution solution;
+    double merit = std::numeric_limits<double>::infinity();
+    double merit_of_last_gain = std::numeric_limits<double>::infinity();
+    int iterations_without_gain = 0;
+  };
   /// A change of (x, s, z).
   struct Direction {
     Eigen::VectorXd x;
@@ -71,10 +78,7 @@ class InteriorPoint {
   Residuals residuals_;
   std::vector<NesterovTodd> scaling_;
   MiddleMatrices middle_;  ///< W⁻²
-  ConeSolution best_;
-  double best_merit_ = std::numeric_limits<double>::infinity();
-  double merit_of_last_gain_ = std::numeric_limits<double>::infinity();
-  int iterations_without_gain_ = 0;
+  Best best_;
 };
 
 ConeSolution InteriorPoint::solve(double tolerance, const std::stop_token& token) {
@@ -88,12 +92,13 @@ ConeSolution InteriorPoint::solve(double tolerance, const std::stop_token& token
     if (residuals_.merit < tolerance) break;
     if (is_certificate())
       return {ConeStatus::infeasible, x_, z_, residuals_.objective, iteration + 1};
-    can_go_on = iterations_without_gain_ < kPatience && scale() && advance();
+    can_go_on = best_.iterations_without_gain < kPatience && scale() && advance();
   }
-  best_.status = best_merit_ < std::max(tolerance, kAcceptable) ? ConeStatus::solved
-                                                                : ConeStatus::not_converged;
-  best_.iterations = iteration + 1;
-  return std::move(best_);
+  best_.solution.status = best_.merit < std::max(tolerance, kAcceptable)
+                              ? ConeStatus::solved
+                              : ConeStatus::not_converged;
+  best_.solution.iterations = iteration + 1;
+  return std::move(best_.solution);
 }
 
 // x minimises the cost plus Σ A‖Gx + g‖².
@@ -162,16 +167,16 @@ bool InteriorPoint::is_certificate() const {
 }
 
 void InteriorPoint::remember_if_better() {
-  ++iterations_without_gain_;
-  if (residuals_.merit < kGain * merit_of_last_gain_) {
-    merit_of_last_gain_ = residuals_.merit;
-    iterations_without_gain_ = 0;
+  ++best_.iterations_without_gain;
+  if (residuals_.merit < kGain * best_.merit_of_last_gain) {
+    best_.merit_of_last_gain = residuals_.merit;
+    best_.iterations_without_gain = 0;
   }
-  if (!(residuals_.merit < best_merit_)) return;
-  best_merit_ = residuals_.merit;
-  best_.x = x_;
-  best_.z = z_;
-  best_.objective = residuals_.objective;
+  if (!(residuals_.merit < best_.merit)) return;
+  best_.merit = residuals_.merit;
+  best_.solution.x = x_;
+  best_.solution.z = z_;
+  best_.solution.objective = residuals_.objective;
 }
 
 bool InteriorPoint::scale() {

@@ -7,6 +7,7 @@
 
 #include "core/files/text_lines.h"
 #include "core/method/map_words.h"
+#include "core/method/satisfied.h"
 
 namespace foldless {
 namespace {
@@ -146,6 +147,8 @@ Steps<BoundedConformal::PathEnd> BoundedConformal::follow(const Points& start,
 
 Steps<Outcome> BoundedConformal::improve() {
   const auto words = [this] { return words_on(checker_.check(mesh_.deformed())); };
+  const double D = bounding_box_diagonal(mesh_.rest());
+  const double floor = kEnergyFloor * D * D;
   double energy = system_.energy(mesh_.deformed());
   const int most = std::min(kMostImprovements, parameters_.inner_iterations);
   for (int improvements = 1;; ++improvements) {
@@ -163,7 +166,6 @@ Steps<Outcome> BoundedConformal::improve() {
       co_yield record(before);
       co_return end(Outcome::step, words());
     }
-    const double floor = kEnergyFloor * system_.diagonal() * system_.diagonal();
     const bool gains = energy - next > kEnergyGain * energy + floor;
     const double turn = accept(std::move(trial.u));
     ++updates_;
@@ -230,7 +232,7 @@ double BoundedConformal::accept(Points u) {
 }
 
 Iteration BoundedConformal::record(const Points& before) {
-  Iteration iteration = system_.record(mesh_, before, constraints_);
+  Iteration iteration = record_of(system_, mesh_, before, constraints_);
   iteration.inner = ++programs_;
   iteration.updates = updates_;
   iteration.step_length = mesh_.deformed() == before ? 0 : 1;

@@ -68,7 +68,6 @@ ConformalSystem::ConformalSystem(const Problem& problem, std::string_view method
     : solver(0, {}),
       density_(problem.energy),
       rest_(problem.mesh.rest()),
-      triangles_(problem.mesh.triangles()),
       diagonal_(bounding_box_diagonal(rest_)) {
   const QuadraticEnergy* energy = find_quadratic(*density_);
   if (!energy)
@@ -89,7 +88,7 @@ void ConformalSystem::find_unknowns(const Problem& problem) {
     node_of_vertex[static_cast<std::size_t>(v)] = static_cast<int>(vertex_of_node_.size());
     vertex_of_node_.push_back(v);
   }
-  for (const auto& t : triangles_.colwise()) {
+  for (const auto& t : problem.mesh.triangles().colwise()) {
     FreeTriangle triangle{t, {}, signed_area(rest_, t), {}};
     for (int j = 0; j < 3; ++j)
       triangle.nodes[static_cast<std::size_t>(j)] = node_of_vertex[static_cast<std::size_t>(t[j])];
@@ -227,17 +226,17 @@ double ConformalSystem::energy(const Points& u) const {
   return sum;
 }
 
-Iteration ConformalSystem::record(const MeshPair& mesh, const Points& previous,
-                                  const Constraints& constraints) const {
+Iteration record_of(const ConformalSystem& system, const MeshPair& mesh, const Points& previous,
+                    const Constraints& constraints) {
   const Quality quality = quality_of(mesh.triangles(), mesh.rest(), mesh.deformed());
   Iteration iteration;
-  iteration.distortion_energy = iteration.energy = energy(mesh.deformed());
+  iteration.distortion_energy = iteration.energy = system.energy(mesh.deformed());
   iteration.handle_error_squared = handle_error_squared(constraints, mesh.deformed());
   iteration.step_infinity_norm = (mesh.deformed() - previous).cwiseAbs().maxCoeff();
   iteration.min_area_ratio = quality.min_area_ratio;
   iteration.max_conformal_distortion = quality.max_conformal_distortion;
   iteration.mean_conformal_distortion = quality.mean_conformal_distortion;
-  iteration.factorizations = solver.factorizations();
+  iteration.factorizations = system.solver.factorizations();
   return iteration;
 }
 

@@ -44,11 +44,8 @@ class ConformalSystem {
   TriangleTerm energy_term(const Complex& frame) const;
   /// u with the hard handles at the targets.
   Points with_handles(Points u, const Points& targets) const;
-  /// D, the diagonal of the rest mesh: programs are in units of it, so that their tolerances are
-  /// the same whatever the unit of length. [length]
-  double diagonal() const { return diagonal_; }
   /// The program of the terms, with held vertices where `u` has them, and the soft handles'
-  /// targets.
+  /// targets. It is in units of D, so that its tolerances are the same whatever the unit of length.
   ConeProgram program(const Points& u, const Points& targets,
                       const std::vector<TriangleTerm>& terms) const;
   /// u with the unknowns replaced by those of a program.
@@ -63,10 +60,6 @@ class ConformalSystem {
   bool is_bounded(const Points& u, double K) const;
   /// The distortion energy of a map, folded or not.
   double energy(const Points& u) const;
-
-  /// The record of a move from one map to another.
-  Iteration record(const MeshPair& mesh, const Points& previous,
-                   const Constraints& constraints) const;
 
   ConeSolver solver;
 
@@ -91,13 +84,16 @@ class ConformalSystem {
 
   const Density* density_;
   Points rest_;
-  Triangles triangles_;
-  double diagonal_;  ///< D
+  double diagonal_;  ///< D of the rest mesh
   std::vector<int> vertex_of_node_;
   std::vector<int> hard_vertices_;  ///< −1 for the soft among the handles
   std::vector<FreeTriangle> free_;
   std::vector<Eigen::Vector3i> held_;
   std::vector<Spring> springs_;
 };
+
+/// The record of a move from one map to another.
+Iteration record_of(const ConformalSystem& system, const MeshPair& mesh, const Points& previous,
+                    const Constraints& constraints);
 
 }  // namespace foldless

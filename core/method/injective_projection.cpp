@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/method/map_words.h"
+#include "core/method/satisfied.h"
 
 namespace foldless {
 namespace {
@@ -100,18 +101,19 @@ std::vector<TriangleTerm> InjectiveProjection::half_planes() const {
 std::optional<Outcome> InjectiveProjection::judge(double step_squared, int programs) {
   const InjectivityReport report = checker_.check(mesh_.deformed());
   const double K = parameters_.distortion_bound * (1 + kBoundSlack);
+  const double D = bounding_box_diagonal(mesh_.rest());
   const std::string words = words_on(report);
   const int most = std::min(kMostPrograms, parameters_.inner_iterations);
   if (report.inverted + report.degenerate == 0 && system_.is_bounded(mesh_.deformed(), K))
     return end(Outcome::step, words);
-  if (programs > 0 && step_squared < kStagnation * system_.diagonal() * system_.diagonal())
+  if (programs > 0 && step_squared < kStagnation * D * D)
     return end(Outcome::not_converged, "it no longer moves" + (words.empty() ? "" : ": " + words));
   if (programs >= most) return end(Outcome::iteration_limit, words);
   return std::nullopt;
 }
 
 Iteration InjectiveProjection::record(const Points& before, int programs) const {
-  Iteration iteration = system_.record(mesh_, before, constraints_);
+  Iteration iteration = record_of(system_, mesh_, before, constraints_);
   iteration.inner = programs;
   iteration.updates = updates_;
   iteration.step_length = mesh_.deformed() == before ? 0 : 1;

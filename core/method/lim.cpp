@@ -8,6 +8,7 @@
 #include "core/method/record.h"
 #include "core/method/remeshing_assisted.h"
 #include "core/method/satisfied.h"
+#include "core/solve/newton_step.h"
 
 namespace foldless {
 namespace {
@@ -61,7 +62,7 @@ VertexUpdate Lim::update(double& step_scale, const std::stop_token& token) {
   const double t = 1 / (1 + *mu * *mu);
   const Energy sub_step = part_way(energy_, mesh_.deformed(), t);
   system_.assemble_gradient(sub_step, mesh_.deformed());
-  VertexUpdate moved = move_along(system_.newton_step(), sub_step, step_scale);
+  VertexUpdate moved = move_along(newton_step(system_), sub_step, step_scale);
   moved.mu = *mu;
   return moved;
 }
@@ -79,7 +80,7 @@ VertexUpdate Lim::move_along(const Points& step, const Energy& energy, double& s
       const VertexUpdate moved{.step_length = step_scale,
                                .step_infinity_norm = step_scale * largest};
       mesh_.set_deformed(std::move(trial));
-      system_.moved();
+      system_.factor().outdate();
       ++effort().updates;
       if (first) step_scale = std::min(1.0, 2 * step_scale);
       return moved;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/method/stepped_method.h"
-#include "core/solve/newton_system.h"
+#include "core/solve/damped_system.h"
 
 namespace foldless {
 
@@ -33,7 +33,7 @@ class Lim final : public SteppedMethod {
   Parameters parameters_;
   double diagonal_;  ///< D
   Energy energy_;
-  NewtonSystem system_;
+  DampedSystem system_;
   std::string verdict_;
 };
 

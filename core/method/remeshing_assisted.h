@@ -3,7 +3,7 @@
 
 #include "core/method/stepped_method.h"
 #include "core/remesh/flip_edges.h"
-#include "core/solve/newton_system.h"
+#include "core/solve/damped_system.h"
 
 namespace foldless {
 
@@ -49,7 +49,7 @@ class RemeshingAssisted final : public SteppedMethod {
   Remeshing remeshing_;
   double diagonal_;  ///< D
   Energy energy_;
-  NewtonSystem system_;
+  DampedSystem system_;
 };
 
 /// The energy that a problem's parameters ask for, with D of its rest mesh in the constants that

@@ -9,8 +9,6 @@
 namespace foldless {
 namespace {
 
-/// Height over length below which vertices count as collinear.
-constexpr double kCollinear = 1e-6;
 /// Looks at an edge in the queue, over the square of their number. Random meshes took 1.
 constexpr std::size_t kMostLooks = 4;
 
@@ -22,7 +20,7 @@ struct Segment {
   /// 1 left of the segment, −1 right of it, 0 nearly on its line.
   int side_of(int v) const {
     const double twice = 2 * signed_area(rest.col(a), rest.col(b), rest.col(v));
-    const double least = kCollinear * (rest.col(b) - rest.col(a)).squaredNorm();
+    const double least = kLeastRelativeHeight * (rest.col(b) - rest.col(a)).squaredNorm();
     return twice > least ? 1 : twice < -least ? -1 : 0;
   }
   bool has_ahead(int v) const {

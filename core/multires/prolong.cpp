@@ -18,8 +18,6 @@ namespace {
 constexpr double kLargestRatio = 2;
 /// Energy per area that is none: what rounding makes of the identity is less.
 constexpr double kNoEnergy = 1e-6;
-/// Flips make other triangles lie across other edges.
-constexpr int kMostRounds = 10;
 
 double energy_per_area(const MeshPair& mesh, int t, const EnergySettings& energy) {
   const Eigen::Vector3i corners = mesh.triangles().col(t);
@@ -61,11 +59,9 @@ class Prolongation {
   }
 
   std::optional<ProlongedMesh> result() {
-    for (int round = 0; round < kMostRounds; ++round) {
-      const std::vector<int> edges = edges_to_insert();
-      if (edges.empty()) break;
+    // Flips make other triangles lie across other edges; none is inserted twice.
+    for (std::vector<int> edges = edges_to_insert(); !edges.empty(); edges = edges_to_insert())
       for (const int e : edges) insert(e);
-    }
     if (!is_valid()) return std::nullopt;
     return std::move(result_);
   }

@@ -6,9 +6,6 @@
 namespace foldless {
 namespace {
 
-/// Height over the longest edge: below it rest triangles count as degenerate.
-constexpr double kLeastRelativeHeight = 1e-6;
-
 bool is_positive_at_rest(const MeshPair& mesh, const Eigen::Vector3i& t, double area) {
   const Corners rest = corners_of(mesh.rest(), t);
   const double longest = std::max({(rest.col(1) - rest.col(0)).squaredNorm(),

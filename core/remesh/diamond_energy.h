@@ -17,8 +17,10 @@ TrianglePair triangles_of(const Diamond& diamond);
 /// (a, d, c) and (d, b, c): Ψ̄_ab, the tessellation with e_ab flipped into e_cd.
 TrianglePair flipped_triangles_of(const Diamond& diamond);
 
-/// True when the triangles are positive in M, with a relative height well above rounding so that
-/// collinear points do not make one.
+/// Height of a rest triangle over its longest edge: below it its corners count as collinear.
+inline constexpr double kLeastRelativeHeight = 1e-6;
+
+/// True when the triangles are positive in M, and none of collinear corners.
 bool is_positive_at_rest(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles);
 
 /// True when the triangles are that and satisfy eq. 9, G > 0, in M′.

@@ -7,7 +7,6 @@
 #include "core/energy/constraints.h"
 #include "core/error.h"
 #include "core/method/methods.h"
-#include "core/method/satisfied.h"
 
 namespace foldless {
 namespace {
@@ -52,11 +51,10 @@ Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& 
     : start_method_(starter),
       energy_(problem.energy),
       parameters_(problem.parameters),
-      handles_(problem.handles),
       stiffness_(problem.mesh.stiffness()),
       original_(original_of(problem)),
-      followers_(*original_.triangles, problem.mesh.rest(), handles_),
-      diagonal_(active_diagonal(problem.mesh.triangles(), problem.mesh.rest(), problem.handles)) {
+      goal_(problem.handles, *original_.triangles, problem.mesh.rest(),
+            active_diagonal(problem.mesh.triangles(), problem.mesh.rest(), problem.handles)) {
   Problem begun = with_followers(problem);
   begun.original = original_;
   publisher_.emplace(begun, generation);
@@ -74,7 +72,7 @@ std::optional<Iteration> Run::step(const std::stop_token& token) {
   if (!iteration) return std::nullopt;
   iteration = in_input_units(*iteration, normalisation());
   if (auto next = publisher_->publish(method_->mesh(), licence_of(parameters_.method))) {
-    next->handles = handles_;
+    next->handles = goal_.handles();
     next->iteration = iteration;
     snapshot_ = std::move(next);
     if (snapshot_->is_valid()) valid_ = snapshot_;
@@ -83,22 +81,16 @@ std::optional<Iteration> Run::step(const std::stop_token& token) {
 }
 
 bool Run::is_satisfied() const {
-  if (!snapshot_->is_valid()) return false;
-  const double error = handle_error_squared(constraints_of(followers_.with_followers(handles_)),
-                                            snapshot_->deformed);
-  return error <= kSatisfied * diagonal_ * diagonal_;
+  return snapshot_->is_valid() && goal_.is_met(snapshot_->deformed);
 }
 
 void Run::set_targets(const Points& targets, const std::vector<double>& angles) {
-  for (std::size_t i = 0; i < handles_.size(); ++i) {
-    handles_[i].target = targets.col(static_cast<Eigen::Index>(i));
-    if (handles_[i].turn && i < angles.size()) handles_[i].turn->angle = angles[i];
-  }
+  goal_.set_targets(targets, angles);
   const bool goes_on = snapshot_->is_valid();
   snapshot_ = valid_ = with_handles(*valid_);
   if (!method_) return;
   if (goes_on) {
-    const Points all = constraints_of(followers_.with_followers(handles_)).targets;
+    const Points all = constraints_of(goal_.with_followers()).targets;
     method_->set_targets(normalisation().to_unit(all));
     return;
   }
@@ -108,20 +100,20 @@ void Run::set_targets(const Points& targets, const std::vector<double>& angles) 
 }
 
 Problem Run::with_followers(Problem problem) const {
-  problem.handles = followers_.with_followers(handles_);
+  problem.handles = goal_.with_followers();
   return problem;
 }
 
 std::shared_ptr<const Snapshot> Run::with_handles(const Snapshot& snapshot) const {
   auto next = std::make_shared<Snapshot>(snapshot);
-  next->handles = handles_;
+  next->handles = goal_.handles();
   return next;
 }
 
 Problem Run::resumed() const {
   MeshPair mesh(*valid_->triangles, *valid_->rest, valid_->deformed);
   mesh.set_stiffness(stiffness_);
-  return {std::move(mesh), energy_, handles_, parameters_, original_};
+  return {std::move(mesh), energy_, goal_.handles(), parameters_, original_};
 }
 
 }  // namespace foldless

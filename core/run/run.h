@@ -11,7 +11,7 @@
 
 #include "core/method/method.h"
 #include "core/method/normalisation.h"
-#include "core/run/followers.h"
+#include "core/run/goal.h"
 #include "core/run/publisher.h"
 #include "core/snapshot.h"
 
@@ -51,7 +51,7 @@ class Run {
   /// turns those that turn (degrees, an entry a handle; empty: they stay as they are). From a
   /// folded map the run begins anew at the last valid one.
   void set_targets(const Points& targets, const std::vector<double>& angles = {});
-  const std::vector<Handle>& handles() const { return handles_; }
+  const std::vector<Handle>& handles() const { return goal_.handles(); }
 
   /// The last state that was published, with the newest targets; never null. It is valid in input
   /// units, or marked as not when the method may make such.
@@ -70,11 +70,9 @@ class Run {
   const MethodStarter start_method_;
   const Density* energy_;
   Parameters parameters_;
-  std::vector<Handle> handles_;
   std::shared_ptr<const Stiffness> stiffness_;
   OriginalMesh original_;
-  Followers followers_;
-  double diagonal_;  ///< D, input units
+  Goal goal_;  ///< input units
   std::optional<Publisher> publisher_;
   std::unique_ptr<Method> method_;  ///< null where nothing can move
   std::shared_ptr<const Snapshot> snapshot_;

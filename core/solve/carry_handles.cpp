@@ -6,6 +6,7 @@
 
 #include "core/solve/descent.h"
 #include "core/solve/line_search.h"
+#include "core/solve/newton_step.h"
 
 namespace foldless {
 namespace {
@@ -38,13 +39,13 @@ VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& e
   const auto& [settings, constraints] = energy;
   system.assemble(energy, mesh.deformed(), 1);
   const Points way = way_of_handles(mesh, constraints);
-  std::optional<LaggedStep> lagged = system.lagged_carrying_step(settings, mesh.deformed(), way);
+  std::optional<LaggedStep> lagged = lagged_carrying_step(system, settings, mesh.deformed(), way);
   VertexUpdate update;
   if (!lagged || lagged->is_indefinite) {
     const std::optional<double> mu = factorize_clamped(system, token);
     if (!mu) return {.cancelled = token.stop_requested()};
     update.mu = *mu;
-    lagged = LaggedStep{system.carrying_step(settings, mesh.deformed(), way)};
+    lagged = LaggedStep{carrying_step(system, settings, mesh.deformed(), way)};
   }
   const Points& step = lagged->step;
   StageTimer timer(system.effort().times.line_search);
@@ -58,7 +59,7 @@ VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& e
   update.step_length = t;
   update.step_infinity_norm = (u - mesh.deformed()).cwiseAbs().maxCoeff();
   mesh.set_deformed(std::move(u));
-  system.moved();
+  system.factor().outdate();
   ++system.effort().updates;
   return update;
 }

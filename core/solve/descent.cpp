@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/solve/newton_step.h"
+
 namespace foldless {
 namespace {
 
@@ -24,7 +26,7 @@ constexpr double kLeastPart = 0.25;
 VertexUpdate step_along(const Points& step, NewtonSystem& system, MeshPair& mesh,
                         const Energy& energy) {
   const VertexUpdate update = move_along(step, system, mesh, energy);
-  if (update.step_length < kShortStep) system.outdate_factor();
+  if (update.step_length < kShortStep) system.factor().set_far();
   return update;
 }
 
@@ -32,11 +34,11 @@ VertexUpdate step_along(const Points& step, NewtonSystem& system, MeshPair& mesh
 
 std::optional<double> factorize_clamped(NewtonSystem& system, const std::stop_token& token,
                                         double last_shift) {
-  system.analyze();
+  analyze(system);
   for (double mu = std::max(kLeastShift, last_shift / kShiftFactor); mu < kLargestShift;
        mu *= kShiftFactor) {
     if (token.stop_requested()) return std::nullopt;
-    if (system.factorize(mu)) return mu;
+    if (factorize(system, mu)) return mu;
   }
   return std::nullopt;
 }
@@ -58,12 +60,12 @@ VertexUpdate Descent::step(NewtonSystem& system, MeshPair& mesh, const Energy& e
   system.assemble(energy, mesh.deformed(), 1);
   double mu = 0;
   std::optional<LaggedStep> step;
-  if (use_ == FactorUse::lagged) step = system.lagged_newton_step();
+  if (use_ == FactorUse::lagged) step = lagged_newton_step(system);
   if (!step || step->is_indefinite) {
     const std::optional<double> shift = factorize_clamped(system, token, last_shift_);
     if (!shift) return {.cancelled = token.stop_requested()};
     last_shift_ = mu = *shift;
-    step = LaggedStep{system.newton_step()};
+    step = LaggedStep{newton_step(system)};
   }
   VertexUpdate update = step_along(step->step, system, mesh, energy);
   update.mu = mu;
@@ -75,12 +77,12 @@ VertexUpdate Descent::step(NewtonSystem& system, MeshPair& mesh, const Energy& e
 /// Nothing where ∇²E as assembled is not positive definite.
 std::optional<Points> Descent::step_if_definite(NewtonSystem& system) const {
   if (use_ == FactorUse::lagged)
-    if (std::optional<LaggedStep> lagged = system.lagged_newton_step()) {
+    if (std::optional<LaggedStep> lagged = lagged_newton_step(system)) {
       if (lagged->is_indefinite) return std::nullopt;
       return std::move(lagged->step);
     }
-  if (!system.factorize(0)) return std::nullopt;
-  return system.newton_step();
+  if (!factorize(system, 0)) return std::nullopt;
+  return newton_step(system);
 }
 
 void Descent::after_partly_clamped(double step_length) {

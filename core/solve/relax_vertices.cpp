@@ -3,7 +3,7 @@
 
 namespace foldless {
 
-std::optional<VertexUpdate> relax_vertices(NewtonSystem& system, MeshPair& mesh,
+std::optional<VertexUpdate> relax_vertices(DampedSystem& system, MeshPair& mesh,
                                            const Energy& energy, const std::stop_token& token) {
   // E_c pulls to where the handles are (4.2).
   const Energy relaxing{

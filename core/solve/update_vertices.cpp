@@ -2,12 +2,13 @@
 #include "core/solve/update_vertices.h"
 
 #include "core/solve/line_search.h"
+#include "core/solve/newton_step.h"
 
 namespace foldless {
 
-VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
+VertexUpdate update_vertices(DampedSystem& system, MeshPair& mesh, const Energy& energy,
                              const std::stop_token& token) {
-  if (system.has_plain_factor()) {
+  if (system.factor().is_exact()) {
     system.assemble_gradient(energy, mesh.deformed());
     return move_vertices(system, mesh, energy, 0);
   }
@@ -18,7 +19,7 @@ VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Energy&
 }
 
 VertexUpdate move_vertices(NewtonSystem& system, MeshPair& mesh, const Energy& energy, double mu) {
-  VertexUpdate update = move_along(system.newton_step(), system, mesh, energy);
+  VertexUpdate update = move_along(newton_step(system), system, mesh, energy);
   update.mu = mu;
   return update;
 }
@@ -27,7 +28,7 @@ VertexUpdate move_along(const Points& step, NewtonSystem& system, MeshPair& mesh
                         const Energy& energy) {
   VertexUpdate update;
   StageTimer timer(system.effort().times.line_search);
-  const double slope = system.slope(step);
+  const double slope = foldless::slope(system, step);
   if (!(slope < 0)) return update;
   update.decrement = -0.5 * slope;
   LineSearchResult found = line_search(system.objective(), energy,
@@ -36,7 +37,7 @@ VertexUpdate move_along(const Points& step, NewtonSystem& system, MeshPair& mesh
   update.step_length = found.step_length;
   update.step_infinity_norm = (found.u - mesh.deformed()).cwiseAbs().maxCoeff();
   mesh.set_deformed(std::move(found.u));
-  system.moved();
+  system.factor().outdate();
   ++system.effort().updates;
   return update;
 }

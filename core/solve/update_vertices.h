@@ -4,7 +4,7 @@
 #include <stop_token>
 
 #include "core/mesh/mesh_pair.h"
-#include "core/solve/newton_system.h"
+#include "core/solve/damped_system.h"
 
 namespace foldless {
 
@@ -21,7 +21,7 @@ struct VertexUpdate {
 /// UpdateVertices (4.2): one damped Newton step on the full E, eq. 6, and a line search. Moves the
 /// deformed positions of `mesh`; they stay feasible on the whole way. The system's factor is used
 /// again when RelaxVertices left one.
-VertexUpdate update_vertices(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
+VertexUpdate update_vertices(DampedSystem& system, MeshPair& mesh, const Energy& energy,
                              const std::stop_token& token);
 
 /// Solves with the factor that the system holds, searches along the step and moves the mesh:

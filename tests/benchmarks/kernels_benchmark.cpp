@@ -7,8 +7,9 @@
 #include "core/method/remeshing_assisted.h"
 #include "core/remesh/flip_edges.h"
 #include "core/run/run.h"
+#include "core/solve/damped_system.h"
 #include "core/solve/line_search.h"
-#include "core/solve/newton_system.h"
+#include "core/solve/newton_step.h"
 #include "tests/benchmarks/turned_disk.h"
 
 namespace foldless::benchmarks {
@@ -76,11 +77,11 @@ void search_line(benchmark::State& state) {
   const Twist twist(static_cast<int>(state.range(0)));
   const MeshPair& mesh = twist.problem.mesh;
   Effort effort;
-  NewtonSystem system(mesh, twist.energy.constraints, effort);
+  DampedSystem system(mesh, twist.energy.constraints, effort);
   system.assemble(twist.energy, mesh.deformed());
   if (!system.factorize_damped(false, {})) state.SkipWithError("no factor");
-  const Points step = system.newton_step();
-  const Line line{mesh.deformed(), step, system.energy().total(), system.slope(step)};
+  const Points step = newton_step(system);
+  const Line line{mesh.deformed(), step, system.energy().total(), slope(system, step)};
   for (auto _ : state)
     benchmark::DoNotOptimize(line_search(system.objective(), twist.energy, line));
   report_triangles(state, mesh);

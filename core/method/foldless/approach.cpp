@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/method/foldless/flipping_descent.h"
+#include "core/method/foldless/snap.h"
 
 namespace foldless {
 namespace approaching {
@@ -106,7 +107,7 @@ Steps<Progress> approach(Workspace& work, FactorUse use, std::vector<Points> sto
   const auto next = [&](const std::stop_token& token) { return descent.step(work, energy, token); };
   while (true) {
     const VertexUpdate update = co_await vertex_update(next);
-    const bool has_arrived = work.is_near() && work.snap(energy.settings);
+    const bool has_arrived = is_near(work) && snap(work, energy.settings);
     co_yield work.record(update, energy, Phase::approach);
     if (has_arrived) co_return Progress::arrived;
 

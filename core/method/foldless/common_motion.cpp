@@ -89,7 +89,7 @@ Steps<bool> move_together(Workspace& work, CommonMotion which) {
   const auto move = [&](const std::stop_token&) {
     const double largest = (*moved - work.mesh.deformed()).lpNorm<Eigen::Infinity>();
     work.mesh.set_deformed(*std::move(moved));
-    work.system.moved();
+    work.system.factor().outdate();
     return VertexUpdate{.step_length = 1, .step_infinity_norm = largest};
   };
   const VertexUpdate update = co_await vertex_update(move);

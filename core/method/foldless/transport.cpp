@@ -7,6 +7,7 @@
 #include "core/energy/densities.h"
 #include "core/method/foldless/flipping_descent.h"
 #include "core/method/foldless/settle.h"
+#include "core/method/foldless/snap.h"
 #include "core/method/foldless/strides.h"
 
 namespace foldless {
@@ -83,7 +84,7 @@ Steps<Progress> press_home(Carrier& carrier, const std::vector<int>& group) {
   auto& [work, strides, energy, descent] = carrier;
   double& alpha = energy.settings.alpha;
   for (int tries = 0;;) {
-    if (work.is_near() && work.snap(energy.settings)) {
+    if (is_near(work) && snap(work, energy.settings)) {
       co_yield [&carrier](Iteration& last) { carrier.work.measure_again(last, carrier.energy); };
       co_return Progress::arrived;
     }

@@ -11,10 +11,6 @@ namespace workspace {
 
 /// Of an edge that is split. [D]
 constexpr double kShortestHalf = 1e-5;
-/// E_d + E_b may grow by this factor when handles are put on their targets.
-constexpr double kGrowthOfASnap = 1.5;
-/// ‖P‖²/D² from which they may be.
-constexpr double kNearEnough = 1e-4;
 
 SplitSettings split_settings(const RunSettings& settings) {
   return {.shortest_edge = kShortestHalf * settings.diagonal,
@@ -68,29 +64,6 @@ void Workspace::set_mesh(MeshPair other) {
   other.set_stiffness(mesh.stiffness());
   mesh = std::move(other);
   system.rebuild(mesh, constraints, mesh.edge_count());
-}
-
-bool Workspace::is_near() const {
-  const double D = settings->diagonal;
-  return error() <= workspace::kNearEnough * D * D;
-}
-
-bool Workspace::snap(const EnergySettings& energy) {
-  Points u = mesh.deformed();
-  for (int i = 0; i < constraints.count(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    if (!constraints.soft[row]) u.col(constraints.vertices[row]) = constraints.targets.col(i);
-  }
-  const Points step = u - mesh.deformed();
-  const Objective& objective = system.objective();
-  if (objective.largest_step(energy, mesh.deformed(), step) <= 1) return false;
-  const Energy held_handles{energy, held(constraints)};
-  const double before = objective.value(held_handles, mesh.deformed()).total();
-  if (!(objective.value(held_handles, u).total() <= workspace::kGrowthOfASnap * before))
-    return false;
-  mesh.set_deformed(std::move(u));
-  system.moved();
-  return true;
 }
 
 Iteration Workspace::record(const VertexUpdate& update, const Energy& energy, Phase phase) {

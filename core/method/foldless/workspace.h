@@ -58,11 +58,6 @@ struct Workspace {
   int collapse_edges(const CollapseSettings& collapse);
   /// Takes another mesh with the same handle vertices.
   void set_mesh(MeshPair other);
-  /// Whether the handles are so near to their targets that they may be put there by themselves.
-  bool is_near() const;
-  /// Puts the handles exactly on their targets if no triangle leaves the feasible set on the way,
-  /// nor E_d + E_b of `energy` grows much.
-  bool snap(const EnergySettings& energy);
 
   /// The record of an update that lowered `energy`, whatever targets it aimed at.
   Iteration record(const VertexUpdate& update, const Energy& energy, Phase phase);

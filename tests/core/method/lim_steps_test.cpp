@@ -6,6 +6,7 @@
 
 #include "core/method/lim.h"
 #include "core/method/remeshing_assisted.h"
+#include "core/solve/newton_step.h"
 #include "tests/core/method/method_fixture.h"
 #include "tests/support/random_scene.h"
 
@@ -21,8 +22,8 @@ struct SubStep {
     const Points handles = handle_positions(energy.constraints, u);
     energy.constraints.targets = t * energy.constraints.targets + (1 - t) * handles;
     system.assemble(energy, u);
-    EXPECT_TRUE(system.factorize(mu));
-    step = system.newton_step();
+    EXPECT_TRUE(factorize(system, mu));
+    step = newton_step(system);
   }
   double energy_at(const Points& u) const { return system.objective().value(energy, u).total(); }
 

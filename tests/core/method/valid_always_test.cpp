@@ -66,7 +66,7 @@ struct CheckedRun {
   MeshPair mesh;
   Energy energy;
   Effort effort;
-  NewtonSystem system;
+  DampedSystem system;
   FlipSettings settings;
   double area;
   int flipped = 0;

@@ -2,6 +2,7 @@
 // Steps of a NewtonSystem from an earlier factor.
 #include <gtest/gtest.h>
 
+#include "core/solve/newton_step.h"
 #include "tests/core/solve/newton_fixture.h"
 
 namespace foldless {
@@ -14,16 +15,16 @@ using test::SqueezedGrid;
 struct Moved : SqueezedGrid {
   Moved() : SqueezedGrid(0.9), newton(system()) {
     newton.assemble(energy, mesh.deformed());
-    EXPECT_TRUE(newton.factorize(0));
+    EXPECT_TRUE(factorize(newton, 0));
     Points u = mesh.deformed();
     u.row(0) += 0.01 * u.row(1);
     mesh.set_deformed(u);
-    newton.moved();
+    newton.factor().outdate();
   }
   /// What the factor gives for this energy where the mesh is.
   std::optional<LaggedStep> lagged(const Energy& other) {
     newton.assemble(other, mesh.deformed());
-    return newton.lagged_newton_step();
+    return lagged_newton_step(newton);
   }
 
   NewtonSystem newton;
@@ -70,9 +71,9 @@ TEST(LaggedStep, AFactorOfAnotherEnergyDoesNotServe) {
 
 TEST(LaggedStep, AnOutdatedFactorDoesNotServeUntilThereIsANewOne) {
   Moved m;
-  m.newton.outdate_factor();
+  m.newton.factor().set_far();
   EXPECT_FALSE(m.lagged(m.energy));
-  ASSERT_TRUE(m.newton.factorize(0));
+  ASSERT_TRUE(factorize(m.newton, 0));
   EXPECT_TRUE(m.lagged(m.energy));
   m.newton.rebuild(m.mesh, m.energy.constraints, 0);
   EXPECT_FALSE(m.lagged(m.energy)) << "a mesh that was made anew";
@@ -82,7 +83,7 @@ TEST(LaggedStep, AFailedFactorizationLeavesNoFactor) {
   Moved m;
   SqueezedGrid indefinite(0.2);
   m.newton.assemble(indefinite.energy, indefinite.mesh.deformed());
-  ASSERT_FALSE(m.newton.factorize(0));
+  ASSERT_FALSE(factorize(m.newton, 0));
   EXPECT_FALSE(m.lagged(m.energy));
 }
 
@@ -90,7 +91,7 @@ TEST(LaggedStep, TellsAnIndefiniteHessian) {
   Moved m;
   SqueezedGrid indefinite(0.2);
   m.newton.assemble(indefinite.energy, indefinite.mesh.deformed());
-  const std::optional<LaggedStep> lagged = m.newton.lagged_newton_step();
+  const std::optional<LaggedStep> lagged = lagged_newton_step(m.newton);
   ASSERT_TRUE(lagged);
   EXPECT_TRUE(lagged->is_indefinite);
 }
@@ -99,16 +100,16 @@ TEST(LaggedStep, CarriesHandlesNearlyAsAFactorOfItsOwn) {
   Moved m;
   m.energy.constraints.held = true;
   m.newton.assemble(m.energy, m.mesh.deformed(), 1);
-  ASSERT_TRUE(m.newton.factorize(0));
+  ASSERT_TRUE(factorize(m.newton, 0));
   Points u = m.mesh.deformed();
   u.row(0) += 0.01 * u.row(1);
   m.newton.assemble(m.energy, u, 1);
   Points way = Points::Zero(2, m.mesh.vertex_count());
   way.col(15) = Vec2(0.2, 0.1);
-  const auto lagged = m.newton.lagged_carrying_step(m.energy.settings, u, way);
+  const auto lagged = lagged_carrying_step(m.newton, m.energy.settings, u, way);
   ASSERT_TRUE(lagged && !lagged->is_indefinite);
-  ASSERT_TRUE(m.newton.factorize(0));
-  const Points exact = m.newton.carrying_step(m.energy.settings, u, way);
+  ASSERT_TRUE(factorize(m.newton, 0));
+  const Points exact = carrying_step(m.newton, m.energy.settings, u, way);
   EXPECT_EQ(lagged->step.col(15), way.col(15));
   EXPECT_LT((lagged->step - exact).norm(), 0.05 * exact.norm());
 }

@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/energy/densities.h"
-#include "core/solve/newton_system.h"
+#include "core/solve/damped_system.h"
 #include "tests/support/dense_matrix.h"
 #include "tests/support/meshes.h"
 
@@ -29,7 +29,7 @@ struct SqueezedGrid {
     energy.settings.beta = 0.1;
   }
 
-  NewtonSystem system() { return {mesh, energy.constraints, effort}; }
+  DampedSystem system() { return {mesh, energy.constraints, effort}; }
 
   MeshPair mesh;
   Energy energy;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solve/newton_step.h"
+
+namespace foldless {
+namespace {
+
+constexpr double kLeastGain = 1e-2;
+/// Where handles are carried there is no line search that would mend a rough step.
+constexpr double kLeastGainOfACarry = 1e-3;
+
+std::optional<LaggedStep> lagged_step(NewtonSystem& system, const Eigen::VectorXd& right_hand_side,
+                                      double least_gain) {
+  StageTimer timer(system.effort().times.solve);
+  const auto solution = system.factor().solve_later(system.hessian(), right_hand_side, least_gain);
+  if (!solution) return std::nullopt;
+  if (solution->end == ConjugateGradientEnd::indefinite) return LaggedStep{{}, true};
+  return LaggedStep{solution->x.reshaped(2, solution->x.size() / 2), false};
+}
+
+}  // namespace
+
+void analyze(NewtonSystem& system) {
+  StageTimer timer(system.effort().times.analyze);
+  system.factor().analyze(system.hessian().matrix);
+}
+
+bool factorize(NewtonSystem& system, double mu) {
+  analyze(system);
+  StageTimer timer(system.effort().times.factorize);
+  ++system.effort().factorizations;
+  return system.factor().factorize(system.hessian(), mu);
+}
+
+Points newton_step(NewtonSystem& system) {
+  StageTimer timer(system.effort().times.solve);
+  const Eigen::VectorXd& gradient = system.gradient();
+  return system.factor().solve(-gradient).reshaped(2, gradient.size() / 2);
+}
+
+Points carrying_step(NewtonSystem& system, const EnergySettings& settings, const Points& u,
+                     const Points& way) {
+  StageTimer timer(system.effort().times.solve);
+  const Eigen::VectorXd pull = system.objective().pull_of_handles(settings, u, way);
+  return system.factor().solve(-system.gradient() - pull).reshaped(2, way.cols()) + way;
+}
+
+std::optional<LaggedStep> lagged_newton_step(NewtonSystem& system) {
+  return lagged_step(system, -system.gradient(), kLeastGain);
+}
+
+std::optional<LaggedStep> lagged_carrying_step(NewtonSystem& system, const EnergySettings& settings,
+                                               const Points& u, const Points& way) {
+  if (!system.factor().is_near(system.hessian().kind)) return std::nullopt;
+  const Eigen::VectorXd pull = system.objective().pull_of_handles(settings, u, way);
+  std::optional<LaggedStep> lagged =
+      lagged_step(system, -system.gradient() - pull, kLeastGainOfACarry);
+  if (lagged && !lagged->is_indefinite) lagged->step += way;
+  return lagged;
+}
+
+double slope(const NewtonSystem& system, const Points& step) {
+  double sum = 0;
+  for (Eigen::Index v = 0; v < step.cols(); ++v)
+    sum += system.gradient().segment<2>(2 * v).dot(step.col(v));
+  return sum;
+}
+
+}  // namespace foldless
