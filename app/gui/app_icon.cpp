@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/glm.hpp>
 
 namespace foldless {
@@ -67,7 +68,7 @@ Image app_icon(int side) {
     for (int x = 0; x < side; ++x) {
       const glm::vec4 pixel = pixel_at(x, y, side);
       for (int c = 0; c < 4; ++c)
-        icon.at(x, y)[c] = static_cast<std::uint8_t>(255 * pixel[c] + 0.5F);
+        icon.at(x, y)[c] = static_cast<std::uint8_t>(std::lround(255 * pixel[c]));
     }
   return icon;
 }

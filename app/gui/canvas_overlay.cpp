@@ -25,6 +25,7 @@ void draw_band(const PixelBox& band, const CanvasBrush& brush, const Look& look)
 
 void draw_lasso(const std::vector<Vec2>& line, const CanvasBrush& brush, const Look& look) {
   std::vector<ImVec2> points;
+  points.reserve(line.size());
   for (const Vec2& pixel : line) points.push_back(brush.at(pixel));
   const int count = static_cast<int>(points.size());
   brush.list.AddPolyline(points.data(), count, IM_COL32_WHITE, ImDrawFlags_Closed, look.px(3));

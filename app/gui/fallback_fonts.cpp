@@ -9,11 +9,11 @@ namespace foldless {
 namespace {
 
 /// Deletes what fontconfig gave away, by its own function for each type.
-template <auto kDestroy>
+template <auto Destroy>
 struct Destroyer {
   template <typename T>
   void operator()(T* given) const {
-    kDestroy(given);
+    Destroy(given);
   }
 };
 using Charset = std::unique_ptr<FcCharSet, Destroyer<FcCharSetDestroy>>;

@@ -63,24 +63,30 @@ class AtlasBuilder {
   }
 
   ImFont* add(const std::filesystem::path& file, float pixels) {
-    ImFont* font = add(file, 0, pixels, kGlyphs.data(), false);
-    add(borrowed_, 0, pixels, kBorrowedGlyphs.data(), true);
+    ImFont* font = add({file, 0, kGlyphs.data()}, pixels);
+    add({borrowed_, 0, kBorrowedGlyphs.data(), true}, pixels);
     for (const Extra& extra : extras_)
-      add(extra.file, extra.index, pixels, extra.ranges.data(), true);
+      add({extra.file, extra.index, extra.ranges.data(), true}, pixels);
     return font;
   }
 
-  ImFont* add(const std::filesystem::path& file, int index, float pixels, const ImWchar* ranges,
-              bool merges) {
-    std::string& data = data_.at(file);
+  /// Some characters of a face of a font file.
+  struct Part {
+    const std::filesystem::path& file;
+    int index = 0;
+    const ImWchar* ranges = nullptr;
+    bool merges = false;  ///< into the font that was added last
+  };
+  ImFont* add(const Part& part, float pixels) {
+    std::string& data = data_.at(part.file);
     ImFontConfig config;
     config.OversampleH = 2;
     config.OversampleV = 1;
-    config.FontNo = index;
-    config.MergeMode = merges;
+    config.FontNo = part.index;
+    config.MergeMode = part.merges;
     config.FontDataOwnedByAtlas = false;
     return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(data.data(), static_cast<int>(data.size()),
-                                                      pixels, &config, ranges);
+                                                      pixels, &config, part.ranges);
   }
 
   std::filesystem::path regular_ = data_path("fonts/Inter-Regular.otf");

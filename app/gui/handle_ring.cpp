@@ -9,8 +9,13 @@ namespace foldless {
 namespace {
 
 /// Light on dark can be seen on every colour.
-void draw_circle(const ImVec2& centre, float radius, float width, const CanvasBrush& brush,
-                 const Look& look) {
+struct Circle {
+  ImVec2 centre;
+  float radius = 0;
+  float width = 0;  ///< of its line [design pixels]
+};
+void draw_circle(const Circle& circle, const CanvasBrush& brush, const Look& look) {
+  const auto& [centre, radius, width] = circle;
   brush.list.AddCircle(centre, radius, IM_COL32(0, 0, 0, 150), 0, look.px(width + 1.6F));
   brush.list.AddCircle(centre, radius, IM_COL32_WHITE, 0, look.px(width));
 }
@@ -25,12 +30,12 @@ void draw_ring(const HandleRing& ring, bool is_near, const CanvasBrush& brush, c
     brush.list.AddCircleFilled(centre, reach, packed(look.palette->accent, 0.10F));
     brush.list.AddCircle(centre, reach, packed(look.palette->accent, 0.8F), 0, look.px(1));
   }
-  draw_circle(centre, radius, is_near ? 3.0F : 1.4F, brush, look);
+  draw_circle({centre, radius, is_near ? 3.0F : 1.4F}, brush, look);
   const auto angle = static_cast<float>(ring.angle * std::numbers::pi / 180);
   const ImVec2 knob{centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)};
   const ImU32 fill = packed(ring.reach ? look.palette->accent : look.palette->popup);
   brush.list.AddCircleFilled(knob, look.px(5), fill);
-  draw_circle(knob, look.px(5), 1.2F, brush, look);
+  draw_circle({knob, look.px(5), 1.2F}, brush, look);
 }
 
 }  // namespace

@@ -10,17 +10,21 @@
 namespace foldless {
 namespace {
 
-constexpr std::string_view kAutosave = "Keep a copy of changes within";
-constexpr std::string_view kTheme = "Theme";
-constexpr std::string_view kScale = "Interface size";
-constexpr std::string_view kWorkspace = "Workspace";
+/// A submenu of a menu.
+struct Submenu {
+  std::string_view menu, title;
+};
+constexpr Submenu kAutosave{"File", "Keep a copy of changes within"};
+constexpr Submenu kTheme{"View", "Theme"};
+constexpr Submenu kScale{"View", "Interface size"};
+constexpr Submenu kWorkspace{"View", "Workspace"};
 
 /// One of several values of a setting.
 template <class Value>
-InterfaceCommand choice(std::string_view menu, std::string_view submenu, std::string title,
-                        Value Settings::*setting, Value value) {
-  return {menu,
-          submenu,
+InterfaceCommand choice(const Submenu& place, std::string title, Value Settings::*setting,
+                        Value value) {
+  return {place.menu,
+          place.title,
           std::move(title),
           {},
           [=](UiState& state) { state.settings.*setting = value; },
@@ -31,26 +35,26 @@ void add_autosave(std::vector<InterfaceCommand>& commands) {
   for (const auto& [title, seconds] :
        {std::pair{"15 seconds", 15.0}, std::pair{"1 minute", 60.0}, std::pair{"5 minutes", 300.0},
         std::pair{"15 minutes", 900.0}, std::pair{"1 hour", 3600.0}})
-    commands.push_back(choice("File", kAutosave, title, &Settings::autosave_seconds, seconds));
+    commands.push_back(choice(kAutosave, title, &Settings::autosave_seconds, seconds));
 }
 
 void add_look(std::vector<InterfaceCommand>& commands) {
   for (const auto& [title, theme] :
        {std::pair{"Dark", Theme::dark}, std::pair{"Light", Theme::light},
         std::pair{"High contrast", Theme::contrast}})
-    commands.push_back(choice("View", kTheme, title, &Settings::theme, theme));
+    commands.push_back(choice(kTheme, title, &Settings::theme, theme));
   for (const int percent : {75, 100, 125, 150, 175, 200, 250, 300})
     commands.push_back(
-        choice("View", kScale, std::to_string(percent) + " %", &Settings::scale, percent / 100.0));
+        choice(kScale, std::to_string(percent) + " %", &Settings::scale, percent / 100.0));
 }
 
 void add_panels(std::vector<InterfaceCommand>& commands) {
-  commands.push_back(choice("View", kWorkspace, "Animate", &Settings::workspace,
-                            std::optional(Workspace::animate)));
   commands.push_back(
-      choice("View", kWorkspace, "Lab", &Settings::workspace, std::optional(Workspace::lab)));
-  commands.push_back({"View",
-                      kWorkspace,
+      choice(kWorkspace, "Animate", &Settings::workspace, std::optional(Workspace::animate)));
+  commands.push_back(
+      choice(kWorkspace, "Lab", &Settings::workspace, std::optional(Workspace::lab)));
+  commands.push_back({kWorkspace.menu,
+                      kWorkspace.title,
                       "Switch to the other",
                       {Key::f3, {}},
                       [](UiState& state) {

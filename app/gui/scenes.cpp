@@ -110,7 +110,7 @@ void Scenes::draw_document(Editor& editor, const Layout& layout, Extent framebuf
 }
 
 /// What is compared with, in place of the newest.
-void Scenes::draw_other_pose(const Editor& editor, SceneView view, ViewOptions options) {
+void Scenes::draw_other_pose(const Editor& editor, const SceneView& view, ViewOptions options) {
   if (const auto kept = editor.comparison().kept()) return canvas_.draw(*kept, view, options);
   options.pose = Pose::rest;
   canvas_.draw(with_targets_at_rest(*editor.shown()), view, options);

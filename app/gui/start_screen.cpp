@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/start_screen.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -21,11 +23,10 @@ struct Card {
 };
 
 /// In the lines that there are room for; what is left is cut.
-void draw_words(const std::string& words, const ImVec2& corner, const ImVec2& size, ImFont* font,
-                const ImVec4& colour) {
-  const ImVec4 clip{corner.x, corner.y, corner.x + size.x, corner.y + size.y};
-  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, corner, packed(colour), words.c_str(),
-                                      nullptr, size.x, &clip);
+void draw_words(const std::string& words, const ImRect& room, ImFont* font, const ImVec4& colour) {
+  const ImVec4 clip = room.ToVec4();
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, room.Min, packed(colour), words.c_str(),
+                                      nullptr, room.GetWidth(), &clip);
 }
 
 /// A button with a picture, a title and a line; true when it is pressed.
@@ -47,12 +48,11 @@ bool draw_card(const Card& card, Thumbnails& thumbnails, const Look& look) {
                          ImDrawFlags_RoundCornersTop);
   list.AddRect(corner, end, packed(is_hovered ? look.palette->accent : look.palette->border),
                rounding, 0, look.px(is_hovered ? 2 : 1));
-  const float margin = look.px(9), width = size.x - 2 * margin;
-  const float line = look.px(18), small_line = look.fonts.small->FontSize;
-  draw_words(card.title, {corner.x + margin, picture_end.y + look.px(6)}, {width, line},
-             look.fonts.text, look.palette->text);
-  draw_words(card.words, {corner.x + margin, picture_end.y + look.px(6) + line},
-             {width, 2 * small_line + look.px(3)}, look.fonts.small, look.palette->dim);
+  const float left = corner.x + look.px(9), right = end.x - look.px(9);
+  const float top = picture_end.y + look.px(6), middle = top + look.px(18);
+  const float bottom = middle + 2 * look.fonts.small->FontSize + look.px(3);
+  draw_words(card.title, {left, top, right, middle}, look.fonts.text, look.palette->text);
+  draw_words(card.words, {left, middle, right, bottom}, look.fonts.small, look.palette->dim);
   return is_pressed;
 }
 
@@ -65,9 +65,9 @@ void draw_cards(const std::vector<Card>& cards, Thumbnails& thumbnails, const Lo
   const ImVec2 corner = ImGui::GetCursorPos();
   const float height = look.px(kPictureHeight + 60 + kGap);
   for (std::size_t i = 0; i < cards.size(); ++i) {
-    const auto column = static_cast<float>(static_cast<int>(i) % columns);
-    const auto row = static_cast<float>(static_cast<int>(i) / columns);
-    ImGui::SetCursorPos({corner.x + column * step, corner.y + row * height});
+    const int index = static_cast<int>(i), column = index % columns, row = index / columns;
+    ImGui::SetCursorPos({corner.x + static_cast<float>(column) * step,
+                         corner.y + static_cast<float>(row) * height});
     if (draw_card(cards[i], thumbnails, look)) return open(cards[i].file);
   }
   ImGui::NewLine();

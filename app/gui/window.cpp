@@ -116,6 +116,7 @@ void Window::wake() {
 void Window::set_icon() {
   std::vector<Image> pictures{app_icon(16), app_icon(32), app_icon(64)};
   std::vector<GLFWimage> icons;
+  icons.reserve(pictures.size());
   for (Image& picture : pictures)
     icons.push_back({picture.width, picture.height, picture.pixels.data()});
   glfwSetWindowIcon(window_, static_cast<int>(icons.size()), icons.data());

@@ -30,6 +30,9 @@ class Neighbours {
               triangle[(i + j) % 3];
   }
 
+  /// One more than the largest index of a vertex.
+  int vertex_count() const { return static_cast<int>(start_.size()) - 1; }
+
   template <class Visit>
   void visit(int vertex, const Visit& visit) const {
     const auto v = static_cast<std::size_t>(vertex);
@@ -56,8 +59,9 @@ std::vector<int> beginning(const Triangles& original, const Points& rest, int ve
 }
 
 /// Original vertices within the radius of a handle, as far as edges lead to them there.
-std::vector<int> vertices_near(const Triangles& original, const Points& rest, int original_vertices,
+std::vector<int> vertices_near(const Triangles& original, const Points& rest,
                                const Neighbours& neighbours, const Handle& handle) {
+  const int original_vertices = neighbours.vertex_count();
   const Vec2 centre = rest.col(handle.vertex);
   std::vector<bool> is_seen(static_cast<std::size_t>(original_vertices), false);
   std::vector<int> found;
@@ -77,12 +81,11 @@ Followers::Followers(const Triangles& original, const Points& rest,
                      const std::vector<Handle>& handles) {
   if (std::ranges::none_of(handles, [](const Handle& handle) { return handle.turn.has_value(); }))
     return;
-  const int original_vertices = original.cols() > 0 ? original.maxCoeff() + 1 : 0;
   const Neighbours neighbours(original);
   std::map<int, Follower> by_vertex;
   for (std::size_t i = 0; i < handles.size(); ++i) {
     if (!handles[i].turn) continue;
-    for (const int v : vertices_near(original, rest, original_vertices, neighbours, handles[i])) {
+    for (const int v : vertices_near(original, rest, neighbours, handles[i])) {
       const Follower follower{v, i, rest.col(v) - rest.col(handles[i].vertex)};
       const auto [place, is_new] = by_vertex.try_emplace(v, follower);
       if (!is_new && follower.offset.norm() < place->second.offset.norm()) place->second = follower;
