@@ -38,8 +38,9 @@ Colour tint(float factor) {
       std::min(kFaintest + (kDensest - kFaintest) * std::abs(decades) / kDecades, kDensest);
   Colour colour{};
   for (std::size_t c = 0; c < 3; ++c)
-    colour[c] = static_cast<std::uint8_t>((decades > 0 ? kStiff : kSlack)[c] * density + 0.5F);
-  colour[3] = static_cast<std::uint8_t>(255 * density + 0.5F);
+    colour[c] =
+        static_cast<std::uint8_t>(std::lround((decades > 0 ? kStiff : kSlack)[c] * density));
+  colour[3] = static_cast<std::uint8_t>(std::lround(255 * density));
   return colour;
 }
 
