@@ -36,7 +36,7 @@ void RaceLane::step_from(std::size_t tick) {
 bool RaceLane::poll() {
   bool is_new = false;
   const WorkerStatus status = worker_.status();
-  for (const TimelineEntry& entry : worker_.timeline(records_.size())) {
+  for (const TimelineEntry& entry : worker_.timeline(records_.size()).entries) {
     records_.push_back(entry.record);
     is_new = true;
   }
@@ -56,7 +56,7 @@ void RaceLane::show(std::size_t tick) {
 }
 
 std::shared_ptr<const Snapshot> RaceLane::snapshot_after(std::size_t tick) const {
-  for (const TimelineEntry& entry : worker_.timeline(tick - 1))
+  for (const TimelineEntry& entry : worker_.timeline(tick - 1).entries)
     if (entry.snapshot) return entry.snapshot;
   return worker_.latest();
 }

@@ -20,8 +20,8 @@ class RaceLane {
  public:
   RaceLane(RaceEntry entry, const Document& start, std::function<void()> wake);
 
-  void run() { worker_.run(); }
-  void pause() { worker_.pause(); }
+  void run() { worker_.set_mode(WorkerMode::running); }
+  void pause() { worker_.set_mode(WorkerMode::paused); }
   /// One iteration, when the lane stands at `tick` and has not ended.
   void step_from(std::size_t tick);
   /// Takes what is new; returns whether anything is.

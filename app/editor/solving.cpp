@@ -31,11 +31,11 @@ void Solving::start(const Document& document) {
 }
 
 void Solving::begin() {
-  if (std::exchange(begins_, false)) worker_.run();
+  if (std::exchange(begins_, false)) worker_.set_mode(WorkerMode::running);
 }
 
 void Solving::hold() {
-  worker_.stop();
+  worker_.set_mode(WorkerMode::idle);
   begins_ = false;
   loaded_ = false;
   stopped_ = false;
@@ -45,7 +45,7 @@ void Solving::hold() {
 
 void Solving::load(const Document& document) {
   // A pause first, so that no iteration slips in before the state is known.
-  worker_.pause();
+  worker_.set_mode(WorkerMode::paused);
   generation_ = worker_.load(problem_of(document));
   loaded_ = true;
   stopped_ = false;
@@ -60,7 +60,7 @@ void Solving::move_targets(const Document& document) {
   begins_ = false;
   stopped_ = false;
   status_.state = WorkerState::running;
-  if (!paused_) worker_.run();
+  if (!paused_) worker_.set_mode(WorkerMode::running);
 }
 
 void Solving::set_parameters(const Document& document) {
@@ -68,7 +68,7 @@ void Solving::set_parameters(const Document& document) {
   worker_.set_parameters(document.energy, document.parameters);
   stopped_ = false;
   status_.state = WorkerState::running;
-  if (!paused_) worker_.run();
+  if (!paused_) worker_.set_mode(WorkerMode::running);
 }
 
 void Solving::toggle_pause(const Document& document) {
@@ -83,13 +83,13 @@ void Solving::go_on(const Document& document) {
   if (!loaded_) return start(document);
   stopped_ = false;
   status_.state = WorkerState::running;
-  worker_.run();
+  worker_.set_mode(WorkerMode::running);
 }
 
 void Solving::pause() {
   paused_ = true;
   begins_ = false;
-  worker_.pause();
+  worker_.set_mode(WorkerMode::paused);
 }
 
 void Solving::step(const Document& document) {
@@ -101,7 +101,7 @@ void Solving::step(const Document& document) {
 }
 
 void Solving::stop() {
-  worker_.stop();
+  worker_.set_mode(WorkerMode::idle);
   begins_ = false;
   paused_ = false;
   stopped_ = loaded_;
@@ -134,11 +134,15 @@ bool Solving::poll() {
 }
 
 bool Solving::poll_timeline() {
-  const std::uint64_t epoch = worker_.timeline_epoch();
-  bool is_new = epoch != epoch_ && !iterations_.empty();
-  if (epoch != epoch_) iterations_.clear();
-  epoch_ = epoch;
-  for (const TimelineEntry& entry : worker_.timeline(iterations_.size())) {
+  TimelinePart part = worker_.timeline(iterations_.size());
+  bool is_new = false;
+  if (part.epoch != epoch_) {
+    is_new = !iterations_.empty();
+    if (is_new) part = worker_.timeline();
+    iterations_.clear();
+    epoch_ = part.epoch;
+  }
+  for (const TimelineEntry& entry : part.entries) {
     iterations_.push_back(entry.record);
     is_new = true;
   }
@@ -157,7 +161,7 @@ bool Solving::has_ended() const {
 }
 
 std::shared_ptr<const Snapshot> Solving::snapshot_of(std::size_t iteration) const {
-  for (const TimelineEntry& entry : worker_.timeline(iteration))
+  for (const TimelineEntry& entry : worker_.timeline(iteration).entries)
     if (entry.snapshot && entry.snapshot->generation == generation_) return entry.snapshot;
   return nullptr;
 }

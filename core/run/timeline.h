@@ -18,6 +18,12 @@ struct TimelineEntry {
   std::shared_ptr<const Snapshot> snapshot;
 };
 
+/// What a reader of a timeline gets.
+struct TimelinePart {
+  std::uint64_t epoch = 0;  ///< counts the starts: another one makes a reader's copy out of date
+  std::vector<TimelineEntry> entries;
+};
+
 /// Every iteration in order, with as many snapshots as a memory cap allows: when it is reached,
 /// those between every second, fourth, eighth … iteration are let go. Not thread-safe.
 class Timeline {

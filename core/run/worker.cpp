@@ -64,12 +64,10 @@ void Worker::set_parameters(const Density* energy, Parameters parameters) {
   });
 }
 
-void Worker::run() {
-  post(Mailbox::Cancels::never, [](Inbox& inbox) { inbox.set_mode(WorkerMode::running); });
-}
-
-void Worker::pause() {
-  post(Mailbox::Cancels::never, [](Inbox& inbox) { inbox.set_mode(WorkerMode::paused); });
+void Worker::set_mode(WorkerMode mode) {
+  const bool ends = mode == WorkerMode::idle;
+  post(ends ? Mailbox::Cancels::always : Mailbox::Cancels::never,
+       [mode](Inbox& inbox) { inbox.set_mode(mode); });
 }
 
 void Worker::step() {
@@ -77,10 +75,6 @@ void Worker::step() {
     inbox.set_mode(WorkerMode::paused);
     inbox.step = true;
   });
-}
-
-void Worker::stop() {
-  post(Mailbox::Cancels::always, [](Inbox& inbox) { inbox.set_mode(WorkerMode::idle); });
 }
 
 void Worker::set_pace(std::optional<double> iterations_per_second) {
@@ -92,14 +86,9 @@ WorkerStatus Worker::status() const {
   return status_;
 }
 
-std::vector<TimelineEntry> Worker::timeline(std::size_t first) const {
+TimelinePart Worker::timeline(std::size_t first) const {
   std::lock_guard lock(mutex_);
-  return timeline_.from(first);
-}
-
-std::uint64_t Worker::timeline_epoch() const {
-  std::lock_guard lock(mutex_);
-  return timeline_.epoch();
+  return {timeline_.epoch(), timeline_.from(first)};
 }
 
 void Worker::clear_timeline() {

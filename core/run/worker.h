@@ -44,8 +44,8 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Replaces the problem and returns its generation number; clears the timeline. What run(),
-  /// pause() and stop() asked for last goes on to hold: a finished run that was not paused begins
+  /// Replaces the problem and returns its generation number; clears the timeline. The mode
+  /// that was asked for last goes on to hold: a finished run that was not paused begins
   /// to run. The first snapshot is the problem's own mesh. Targets and parameters that the worker
   /// has not yet taken up are dropped.
   std::uint64_t load(Problem problem);
@@ -55,12 +55,10 @@ class Worker {
   void set_targets(Points targets, std::vector<double> angles = {});
   /// Same mesh, other energy or parameters: a new run from where this one is, begun likewise.
   void set_parameters(const Density* energy, Parameters parameters);
-  void run();
-  void pause();
+  /// Runs, pauses, or ends the run where it is: idle, the snapshot stays, and running would go on.
+  void set_mode(WorkerMode mode);
   /// One iteration more, then pause.
   void step();
-  /// Ends the run where it is: state idle, the snapshot stays; run() would go on.
-  void stop();
   /// At most this many iterations a second, > 0; nothing: as fast as it goes. step() does not wait.
   void set_pace(std::optional<double> iterations_per_second);
 
@@ -70,9 +68,7 @@ class Worker {
   WorkerStatus status() const;
   /// The iterations begun since the last load() or clear_timeline(), complete and in order, from
   /// index `first` on.
-  std::vector<TimelineEntry> timeline(std::size_t first = 0) const;
-  /// Counts the timeline's starts, so that a reader knows that its copy is out of date.
-  std::uint64_t timeline_epoch() const;
+  TimelinePart timeline(std::size_t first = 0) const;
   /// Starts the timeline anew: the next iteration to begin is its first. An edit (a drag) begins
   /// with it.
   void clear_timeline();

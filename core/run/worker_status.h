@@ -13,7 +13,7 @@ namespace foldless {
 enum class WorkerState {
   idle,     ///< nothing loaded, stopped before the end, or ended by an error
   running,  ///< iterating
-  paused,   ///< waiting for run() or step()
+  paused,   ///< waiting to be told to run, or to step
   finished  ///< the run has an outcome
 };
 

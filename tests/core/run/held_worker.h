@@ -31,7 +31,8 @@ struct HeldWorker {
 /// The `inner` of every record on the timeline.
 inline std::vector<int> recorded(const Worker& worker) {
   std::vector<int> numbers;
-  for (const TimelineEntry& entry : worker.timeline()) numbers.push_back(entry.record.inner);
+  for (const TimelineEntry& entry : worker.timeline().entries)
+    numbers.push_back(entry.record.inner);
   return numbers;
 }
 

@@ -22,7 +22,7 @@ TEST(WorkerCancel, EveryCallReturnsWhileAnIterationRuns) {
   HeldWorker held;
   Worker& worker = held.worker;
   worker.load(test::small_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   const auto calls = std::async(std::launch::async, [&] {
     worker.load(test::small_problem());
@@ -30,14 +30,13 @@ TEST(WorkerCancel, EveryCallReturnsWhileAnIterationRuns) {
     worker.set_parameters(find_density("arap"), {});
     worker.set_pace(1e6);
     worker.step();
-    worker.stop();
-    worker.run();
-    worker.pause();
+    worker.set_mode(WorkerMode::idle);
+    worker.set_mode(WorkerMode::running);
+    worker.set_mode(WorkerMode::paused);
     worker.clear_timeline();
     worker.latest();
     worker.status();
     worker.timeline();
-    worker.timeline_epoch();
   });
   EXPECT_EQ(calls.wait_for(30s), std::future_status::ready);
   held.gate.open();
@@ -48,12 +47,12 @@ template <typename Post>
 void expect_that_the_solver_gets_on(const Post& post) {
   HeldWorker held;
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   for (int k = 1; k <= 8; ++k) {
     ASSERT_TRUE(held.gate.holds_the_solver());
     EXPECT_EQ(held.script->begun, k);
     EXPECT_EQ(held.script->cancelled, k / 2);
-    EXPECT_EQ(held.worker.timeline().size(), static_cast<std::size_t>((k - 1) / 2));
+    EXPECT_EQ(held.worker.timeline().entries.size(), static_cast<std::size_t>((k - 1) / 2));
     post(held.worker, k);
     held.gate.let_through();
   }
@@ -75,7 +74,7 @@ TEST(WorkerCancel, AStreamOfParametersDoesNotStarveTheSolver) {
 TEST(WorkerCancel, EveryLoadCancels) {
   HeldWorker held;
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   for (int k = 1; k <= 4; ++k) {
     ASSERT_TRUE(held.gate.holds_the_solver());
     EXPECT_EQ(held.script->begun, k);
@@ -88,12 +87,12 @@ TEST(WorkerCancel, EveryLoadCancels) {
 TEST(WorkerCancel, StopCancelsAnIterationThatFollowsACancelledOne) {
   HeldWorker held;
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.worker.set_targets(targets_at(Vec2(2, 3)));
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());
-  held.worker.stop();
+  held.worker.set_mode(WorkerMode::idle);
   held.gate.let_through();
   ASSERT_TRUE(reaches(held.worker, WorkerState::idle));
   EXPECT_EQ(held.script->begun, 2);
@@ -102,16 +101,17 @@ TEST(WorkerCancel, StopCancelsAnIterationThatFollowsACancelledOne) {
 
 TEST(WorkerCancel, RunPauseStepAndPaceLeaveTheIterationToItsEnd) {
   const std::vector<std::function<void(Worker&)>> messages = {
-      [](Worker& worker) { worker.run(); }, [](Worker& worker) { worker.pause(); },
+      [](Worker& worker) { worker.set_mode(WorkerMode::running); },
+      [](Worker& worker) { worker.set_mode(WorkerMode::paused); },
       [](Worker& worker) { worker.step(); }, [](Worker& worker) { worker.set_pace(1e9); }};
   for (std::size_t m = 0; m < messages.size(); ++m) {
     HeldWorker held;
     held.worker.load(test::small_problem());
-    held.worker.run();
+    held.worker.set_mode(WorkerMode::running);
     ASSERT_TRUE(held.gate.holds_the_solver());
     messages[m](held.worker);
     held.gate.let_through();
-    EXPECT_TRUE(eventually([&] { return held.worker.timeline().size() == 1; })) << m;
+    EXPECT_TRUE(eventually([&] { return held.worker.timeline().entries.size() == 1; })) << m;
     EXPECT_EQ(held.script->cancelled, 0) << m;
   }
 }
@@ -119,13 +119,13 @@ TEST(WorkerCancel, RunPauseStepAndPaceLeaveTheIterationToItsEnd) {
 TEST(WorkerCancel, TheNewestSnapshotStandsWhateverIsCancelled) {
   HeldWorker held;
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());
   const auto before = held.worker.latest();
   ASSERT_TRUE(before->iteration);
-  held.worker.stop();
+  held.worker.set_mode(WorkerMode::idle);
   held.gate.let_through();
   ASSERT_TRUE(reaches(held.worker, WorkerState::idle));
   EXPECT_EQ(held.script->cancelled, 1);
@@ -143,7 +143,7 @@ TEST(WorkerCancel, TheDestructorDoesNotWaitForTheIteration) {
       was_asked_to_stop = eventually([&] { return token.stop_requested(); });
     };
     scripted.worker.load(test::small_problem());
-    scripted.worker.run();
+    scripted.worker.set_mode(WorkerMode::running);
     ASSERT_TRUE(eventually([&] { return is_running.load(); }));
   }
   EXPECT_TRUE(was_asked_to_stop);

@@ -37,7 +37,7 @@ struct NotingWorker : Notes, HeldWorker {
   /// Loads the problem and runs it up to the gate in its first iteration.
   bool runs(const Problem& problem) {
     worker.load(problem);
-    worker.run();
+    worker.set_mode(WorkerMode::running);
     return gate.holds_the_solver();
   }
 };
@@ -100,14 +100,14 @@ TEST(WorkerInbox, ALoadShowsItsOwnMeshFirst) {
   HeldWorker held;
   held.script->change = [](MeshPair& mesh, int) { test::displace(mesh, 4, Vec2(0.01, 0)); };
   const std::uint64_t first = held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());
   EXPECT_TRUE(held.worker.latest()->iteration);
   const std::uint64_t second = held.worker.load(test::small_problem());
   EXPECT_NE(first, second);
-  EXPECT_TRUE(held.worker.timeline().empty());
+  EXPECT_TRUE(held.worker.timeline().entries.empty());
   held.gate.let_through();
   ASSERT_TRUE(takes_up(held.worker, second));
   ASSERT_TRUE(held.gate.holds_the_solver());
@@ -132,24 +132,24 @@ TEST(WorkerInbox, AnIterationThatEndsAfterALoadIsNeitherRecordedNorShown) {
     if (latest && latest->iteration) was_shown = true;
   };
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.worker.load(test::small_problem());
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());
-  EXPECT_TRUE(held.worker.timeline().empty());
+  EXPECT_TRUE(held.worker.timeline().entries.empty());
   EXPECT_FALSE(was_shown);
 }
 
 TEST(WorkerInbox, AnIterationThatEndsAfterTheTimelineWasClearedIsNotRecorded) {
   LateWorker held;
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.worker.clear_timeline();
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());
-  EXPECT_TRUE(held.worker.timeline().empty());
+  EXPECT_TRUE(held.worker.timeline().entries.empty());
   EXPECT_EQ(held.worker.latest()->iteration->inner, 1) << "what it reached was not published";
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());

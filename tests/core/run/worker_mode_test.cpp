@@ -18,7 +18,7 @@ using test::targets_at;
 TEST(WorkerMode, AStepWhileItRunsIsTheLastIteration) {
   HeldWorker held;
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.worker.step();
   held.gate.let_through();
@@ -48,7 +48,7 @@ TEST(WorkerMode, AStepThatAFinishedRunCannotMakeIsForgotten) {
   Worker& worker = scripted.worker;
   scripted.script->length = 1;
   worker.load(test::small_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
   worker.step();
   ASSERT_TRUE(takes_up_all(worker));
@@ -62,13 +62,13 @@ TEST(WorkerMode, PauseAndStopTakeBackAStep) {
   for (const WorkerState state : {WorkerState::paused, WorkerState::idle}) {
     HeldWorker held;
     held.worker.load(test::small_problem());
-    held.worker.run();
+    held.worker.set_mode(WorkerMode::running);
     ASSERT_TRUE(held.gate.holds_the_solver());
     held.worker.step();
     if (state == WorkerState::paused)
-      held.worker.pause();
+      held.worker.set_mode(WorkerMode::paused);
     else
-      held.worker.stop();
+      held.worker.set_mode(WorkerMode::idle);
     held.gate.let_through();
     ASSERT_TRUE(reaches(held.worker, state));
     EXPECT_EQ(held.script->begun, 1);
@@ -82,9 +82,9 @@ TEST(WorkerMode, AStoppedRunGoesOnWhereItWas) {
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.gate.let_through();
   ASSERT_TRUE(reaches(held.worker, WorkerState::paused));
-  held.worker.stop();
+  held.worker.set_mode(WorkerMode::idle);
   ASSERT_TRUE(reaches(held.worker, WorkerState::idle));
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   held.gate.let_through();
   ASSERT_TRUE(held.gate.holds_the_solver());
@@ -96,13 +96,13 @@ TEST(WorkerMode, AFinishedRunThatIsStoppedIsIdleUntilItRuns) {
   Worker& worker = scripted.worker;
   scripted.script->length = 1;
   worker.load(test::small_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
-  worker.stop();
+  worker.set_mode(WorkerMode::idle);
   ASSERT_TRUE(takes_up_all(worker));
   EXPECT_EQ(worker.status().state, WorkerState::idle);
   EXPECT_FALSE(worker.status().outcome);
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
   EXPECT_EQ(scripted.script->begun, 1);
 }
@@ -117,13 +117,13 @@ TEST(WorkerMode, AFinishedRunBeginsAgainUnlessItWasPaused) {
     Worker& worker = scripted.worker;
     scripted.script->length = 2;
     worker.load(test::small_problem());
-    worker.run();
+    worker.set_mode(WorkerMode::running);
     ASSERT_TRUE(reaches(worker, WorkerState::finished));
     messages[m](worker);
     ASSERT_TRUE(eventually([&] { return scripted.script->begun == 4; })) << m;
     ASSERT_TRUE(reaches(worker, WorkerState::finished));
 
-    worker.pause();
+    worker.set_mode(WorkerMode::paused);
     messages[m](worker);
     ASSERT_TRUE(takes_up_all(worker));
     EXPECT_EQ(worker.status().state, WorkerState::paused) << m;
@@ -135,11 +135,11 @@ TEST(WorkerMode, APauseHoldsThoughTheLoadThatCameWithItIsRefused) {
   HeldWorker held;
   Worker& worker = held.worker;
   worker.load(test::small_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   Problem folded = test::small_problem();
   test::displace(folded.mesh, 4, Vec2(5, 5));
-  worker.pause();
+  worker.set_mode(WorkerMode::paused);
   worker.load(folded);
   held.gate.let_through();
   ASSERT_TRUE(eventually([&] { return !worker.status().error.empty(); }));
@@ -155,17 +155,17 @@ TEST(WorkerMode, ASlowPaceHoldsUpNeitherTheFirstIterationNorStepsNorMessages) {
   Worker& worker = scripted.worker;
   worker.set_pace(1e-300);
   worker.load(test::small_problem());
-  worker.run();
-  ASSERT_TRUE(eventually([&] { return worker.timeline().size() == 1; }));
+  worker.set_mode(WorkerMode::running);
+  ASSERT_TRUE(eventually([&] { return worker.timeline().entries.size() == 1; }));
   worker.step();
-  ASSERT_TRUE(eventually([&] { return worker.timeline().size() == 2; }));
+  ASSERT_TRUE(eventually([&] { return worker.timeline().entries.size() == 2; }));
   ASSERT_TRUE(reaches(worker, WorkerState::paused));
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::running));
   worker.set_targets(targets_at(Vec2(2, 3)));
   EXPECT_TRUE(eventually([&] { return worker.latest()->handles[1].target == Vec2(2, 3); }));
   worker.set_pace(std::nullopt);
-  EXPECT_TRUE(eventually([&] { return worker.timeline().size() > 4; }));
+  EXPECT_TRUE(eventually([&] { return worker.timeline().entries.size() > 4; }));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(WorkerRace, AMovedTargetReachesTheSolverWithinOneIteration) {
   scripted.script->stage_time = 200us;
   const Problem problem = grid_problem(3, Vec2(2, 2));
   worker.load(problem);
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   const Normalisation frame = foldless::Run(problem).normalisation();
   for (int k = 1; k <= 30; ++k) {
     const Points targets = targets_at(Vec2(2 + 0.01 * k, 2));
@@ -47,8 +47,8 @@ TEST(WorkerRace, OnlyTheNewestOfManyTargetsCounts) {
   Worker& worker = scripted.worker;
   scripted.script->stage_time = 5ms;
   worker.load(grid_problem(3, Vec2(2, 2)));
-  worker.run();
-  ASSERT_TRUE(eventually([&] { return !worker.timeline().empty(); }));
+  worker.set_mode(WorkerMode::running);
+  ASSERT_TRUE(eventually([&] { return !worker.timeline().entries.empty(); }));
   for (int k = 0; k <= 1000; ++k) worker.set_targets(targets_at(Vec2(2, 2 + 1e-3 * k)));
   ASSERT_TRUE(
       eventually([&] { return worker.latest()->handles[1].target == Vec2(2, 2 + 1e-3 * 1000); }));
@@ -63,9 +63,9 @@ TEST(WorkerRace, CancellingAtAnyMomentLeavesAValidMesh) {
   problem.energy = find_density("arap");
   for (int k = 0; k < 60; ++k) {
     const std::uint64_t generation = worker.load(problem);
-    worker.run();
+    worker.set_mode(WorkerMode::running);
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 3000));
-    worker.stop();
+    worker.set_mode(WorkerMode::idle);
     ASSERT_TRUE(takes_up(worker, generation));
     ASSERT_TRUE(reaches(worker, WorkerState::idle)) << "seed " << kSeed << ", round " << k;
     ASSERT_EQ(worker.latest()->generation, generation);
@@ -81,21 +81,21 @@ TEST(WorkerRace, PauseComesBeforeOrAfterTheEnd) {
     Worker& worker = scripted.worker;
     scripted.script->length = 20;
     worker.load(grid_problem(3, Vec2(2, 2)));
-    worker.run();
+    worker.set_mode(WorkerMode::running);
     std::this_thread::sleep_for(std::chrono::microseconds(10 * k));
-    worker.pause();
+    worker.set_mode(WorkerMode::paused);
     ASSERT_TRUE(eventually([&] {
       const WorkerState state = worker.status().state;
       return state == WorkerState::paused || state == WorkerState::finished;
     }));
     const WorkerStatus status = worker.status();
     EXPECT_EQ(status.outcome.has_value(), status.state == WorkerState::finished);
-    EXPECT_EQ(worker.timeline().size() == 20, status.state == WorkerState::finished);
+    EXPECT_EQ(worker.timeline().entries.size() == 20, status.state == WorkerState::finished);
     if (status.state != WorkerState::paused) continue;
     ++paused;
-    worker.run();
+    worker.set_mode(WorkerMode::running);
     ASSERT_TRUE(reaches(worker, WorkerState::finished));
-    EXPECT_EQ(worker.timeline().size(), 20U);
+    EXPECT_EQ(worker.timeline().entries.size(), 20U);
   }
   RecordProperty("paused", paused);
 }
@@ -104,21 +104,21 @@ TEST(WorkerRace, ALoadReplacesARunningProblem) {
   Worker worker;
   Problem hard = grid_problem(12, Vec2(2, 3));
   hard.energy = find_density("arap");
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   for (int k = 0; k < 40; ++k) {
     worker.load(hard);
     if (k % 4 == 0) std::this_thread::sleep_for(1ms);
     const int n = 3 + k % 3;
     const std::uint64_t generation = worker.load(grid_problem(n, Vec2(n - 1, n - 0.9)));
-    EXPECT_TRUE(worker.timeline().empty() ||
-                worker.timeline().front().snapshot->generation == generation);
+    EXPECT_TRUE(worker.timeline().entries.empty() ||
+                worker.timeline().entries.front().snapshot->generation == generation);
     ASSERT_TRUE(eventually([&] {
       const WorkerStatus status = worker.status();
       return status.generation == generation && status.state == WorkerState::finished;
     }));
     EXPECT_EQ(worker.latest()->generation, generation);
     EXPECT_EQ(worker.latest()->deformed.cols(), n * n);
-    for (const TimelineEntry& entry : worker.timeline())
+    for (const TimelineEntry& entry : worker.timeline().entries)
       EXPECT_EQ(entry.snapshot->generation, generation);
   }
 }
@@ -128,14 +128,14 @@ TEST(WorkerRace, AClearedTimelineHoldsNoIterationBegunBefore) {
   Worker& worker = scripted.worker;
   scripted.script->stage_time = 300us;
   worker.load(grid_problem(3, Vec2(2, 2)));
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   for (int k = 0; k < 40; ++k) {
     const int begun = scripted.script->begun;
-    const std::uint64_t epoch = worker.timeline_epoch();
+    const std::uint64_t epoch = worker.timeline().epoch;
     worker.clear_timeline();
-    EXPECT_EQ(worker.timeline_epoch(), epoch + 1);
-    ASSERT_TRUE(eventually([&] { return worker.timeline().size() >= 3; }));
-    const auto entries = worker.timeline();
+    EXPECT_EQ(worker.timeline().epoch, epoch + 1);
+    ASSERT_TRUE(eventually([&] { return worker.timeline().entries.size() >= 3; }));
+    const auto entries = worker.timeline().entries;
     EXPECT_GT(entries.front().record.inner, begun);
     for (std::size_t i = 1; i < entries.size(); ++i)
       EXPECT_EQ(entries[i].record.inner, entries[i - 1].record.inner + 1);
@@ -149,7 +149,7 @@ TEST(WorkerRace, IsDestroyedWhileItRuns) {
     script->stage_time = 100us;
     Worker worker({}, {.start = starter_of(script)});
     worker.load(grid_problem(3, Vec2(2, 2)));
-    worker.run();
+    worker.set_mode(WorkerMode::running);
     std::this_thread::sleep_for(std::chrono::microseconds(37 * k));
   }
 }
@@ -165,10 +165,10 @@ TEST(WorkerRace, AnyMessagesInAnyOrderLeaveAValidMeshAndAWorkerThatAnswers) {
     parameters.method = random() % 2 ? "paper-flip" : "paper-noflip";
     switch (random() % 9) {
       case 0: worker.load(problem); break;
-      case 1: worker.run(); break;
-      case 2: worker.pause(); break;
+      case 1: worker.set_mode(WorkerMode::running); break;
+      case 2: worker.set_mode(WorkerMode::paused); break;
       case 3: worker.step(); break;
-      case 4: worker.stop(); break;
+      case 4: worker.set_mode(WorkerMode::idle); break;
       case 5: worker.set_parameters(find_density("arap"), parameters); break;
       case 6: worker.set_pace(1000.0 + static_cast<double>(random() % 5000)); break;
       case 7: worker.clear_timeline(); break;
@@ -180,7 +180,7 @@ TEST(WorkerRace, AnyMessagesInAnyOrderLeaveAValidMeshAndAWorkerThatAnswers) {
   }
   const std::uint64_t last = worker.load(grid_problem(3, Vec2(2.1, 2.1)));
   worker.set_pace(std::nullopt);
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(takes_up(worker, last));
   EXPECT_TRUE(reaches(worker, WorkerState::finished));
   EXPECT_EQ(worker.status().error, "");

@@ -27,7 +27,7 @@ struct Wakes {
   void note(const Worker& worker) {
     const auto latest = worker.latest();
     std::lock_guard lock(mutex);
-    wakes.push_back({worker.status(), worker.timeline().size(),
+    wakes.push_back({worker.status(), worker.timeline().entries.size(),
                      latest && latest->iteration ? latest->iteration->inner : 0});
   }
   std::vector<Wake> so_far() {
@@ -45,7 +45,7 @@ TEST(WorkerStatus, TheReaderIsWokenWhenItCanReadWhatIsNew) {
   held.script->length = 3;
   held.wake = [&] { wakes.note(held.worker); };
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(held.worker, WorkerState::finished));
   ASSERT_TRUE(eventually([&] {
     const auto seen = wakes.so_far();
@@ -64,11 +64,11 @@ TEST(WorkerStatus, SaysWhetherAMessageWaits) {
   HeldWorker held;
   held.wake = [&] { wakes.note(held.worker); };
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   EXPECT_TRUE(held.worker.status().is_current);
   const std::size_t before = wakes.so_far().size();
-  held.worker.pause();
+  held.worker.set_mode(WorkerMode::paused);
   EXPECT_FALSE(held.worker.status().is_current);
   held.gate.let_through();
   ASSERT_TRUE(eventually([&] { return wakes.so_far().size() == before + 2; }));
@@ -92,7 +92,7 @@ TEST(WorkerStatus, TheVerdictComesWithTheOutcome) {
   held.script->length = 2;
   held.script->verdict = "the two of them cannot both be had";
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   for (int k = 0; k < 2; ++k) {
     ASSERT_TRUE(held.gate.holds_the_solver());
     EXPECT_EQ(held.worker.status().verdict, "");
@@ -117,7 +117,7 @@ TEST(WorkerStatus, IsSatisfiedWhereTheHandlesAreAtTheirTargets) {
 TEST(WorkerStatus, AProblemThatIsRefusedEndsTheRunBeforeIt) {
   HeldWorker held;
   held.worker.load(test::small_problem());
-  held.worker.run();
+  held.worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(held.gate.holds_the_solver());
   Problem folded = test::small_problem();
   test::displace(folded.mesh, 4, Vec2(5, 5));

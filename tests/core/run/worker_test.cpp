@@ -26,7 +26,7 @@ TEST(Worker, IsIdleBeforeTheFirstLoad) {
   const Worker worker;
   EXPECT_EQ(worker.latest(), nullptr);
   EXPECT_EQ(worker.status(), WorkerStatus{});
-  EXPECT_TRUE(worker.timeline().empty());
+  EXPECT_TRUE(worker.timeline().entries.empty());
 }
 
 TEST(Worker, ShowsTheProblemsMeshAndWaitsForRun) {
@@ -42,7 +42,7 @@ TEST(Worker, ShowsTheProblemsMeshAndWaitsForRun) {
 TEST(Worker, SolvesToTheEnd) {
   Worker worker;
   worker.load(easy_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
   const WorkerStatus status = worker.status();
   EXPECT_TRUE(status.outcome);
@@ -55,12 +55,13 @@ TEST(Worker, LogsEveryIterationInOrder) {
   ScriptedWorker scripted;
   scripted.script->length = 500;
   scripted.worker.load(easy_problem());
-  scripted.worker.run();
+  scripted.worker.set_mode(WorkerMode::running);
   // A reader that copies what is new while it is written ends with the same log.
   std::vector<TimelineEntry> copy;
   ASSERT_TRUE(eventually([&] {
     const bool is_finished = scripted.worker.status().state == WorkerState::finished;
-    for (TimelineEntry& entry : scripted.worker.timeline(copy.size())) copy.push_back(entry);
+    for (TimelineEntry& entry : scripted.worker.timeline(copy.size()).entries)
+      copy.push_back(entry);
     return is_finished;
   }));
   ASSERT_EQ(copy.size(), 500U);
@@ -76,9 +77,9 @@ TEST(Worker, ThinsSnapshotsButNoRecords) {
   script->length = 300;
   Worker worker({}, {.timeline_bytes = 20'000, .start = starter_of(script)});
   worker.load(easy_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
-  const auto entries = worker.timeline();
+  const auto entries = worker.timeline().entries;
   ASSERT_EQ(entries.size(), 300U);
   EXPECT_LT(std::ranges::count_if(entries, [](const auto& e) { return e.snapshot != nullptr; }),
             100);
@@ -90,14 +91,14 @@ TEST(Worker, StepsOnceAndPauses) {
   ScriptedWorker scripted;
   Worker& worker = scripted.worker;
   worker.load(easy_problem());
-  worker.pause();
+  worker.set_mode(WorkerMode::paused);
   for (std::size_t k = 1; k <= 3; ++k) {
     worker.step();
-    ASSERT_TRUE(eventually([&] { return worker.timeline().size() == k; }));
+    ASSERT_TRUE(eventually([&] { return worker.timeline().entries.size() == k; }));
     ASSERT_TRUE(reaches(worker, WorkerState::paused));
   }
   std::this_thread::sleep_for(5ms);
-  EXPECT_EQ(worker.timeline().size(), 3U);
+  EXPECT_EQ(worker.timeline().entries.size(), 3U);
 }
 
 TEST(Worker, PausesAndGoesOnWithoutLosingAnIteration) {
@@ -106,16 +107,16 @@ TEST(Worker, PausesAndGoesOnWithoutLosingAnIteration) {
   scripted.script->stage_time = 50us;
   worker.load(easy_problem());
   for (int k = 0; k < 20; ++k) {
-    worker.run();
-    const std::size_t before = worker.timeline().size();
-    ASSERT_TRUE(eventually([&] { return worker.timeline().size() > before; }));
-    worker.pause();
+    worker.set_mode(WorkerMode::running);
+    const std::size_t before = worker.timeline().entries.size();
+    ASSERT_TRUE(eventually([&] { return worker.timeline().entries.size() > before; }));
+    worker.set_mode(WorkerMode::paused);
     ASSERT_TRUE(reaches(worker, WorkerState::paused));
-    const std::size_t paused = worker.timeline().size();
+    const std::size_t paused = worker.timeline().entries.size();
     std::this_thread::sleep_for(1ms);
-    EXPECT_EQ(worker.timeline().size(), paused);
+    EXPECT_EQ(worker.timeline().entries.size(), paused);
   }
-  const auto entries = worker.timeline();
+  const auto entries = worker.timeline().entries;
   for (std::size_t i = 0; i < entries.size(); ++i)
     EXPECT_EQ(entries[i].record.inner, static_cast<int>(i) + 1);
 }
@@ -126,9 +127,9 @@ TEST(Worker, StopsAndKeepsTheSnapshot) {
   scripted.script->stages = 1000;
   scripted.script->stage_time = 1ms;
   worker.load(easy_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(eventually([&] { return scripted.script->begun > 0; }));
-  worker.stop();
+  worker.set_mode(WorkerMode::idle);
   ASSERT_TRUE(reaches(worker, WorkerState::idle));
   EXPECT_EQ(scripted.script->cancelled, 1) << "an iteration of a second was waited for";
   EXPECT_TRUE(is_valid(*worker.latest()));
@@ -139,25 +140,25 @@ TEST(Worker, ANewLoadWaitsWhilePausedAndRunsAfterAFinishedRun) {
   Worker& worker = scripted.worker;
   scripted.script->length = 5;
   worker.load(easy_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
   const std::uint64_t second = worker.load(easy_problem());
   ASSERT_TRUE(takes_up(worker, second));
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
-  EXPECT_EQ(worker.timeline().size(), 5U);
+  EXPECT_EQ(worker.timeline().entries.size(), 5U);
 
-  worker.pause();
+  worker.set_mode(WorkerMode::paused);
   const std::uint64_t third = worker.load(easy_problem());
   ASSERT_TRUE(takes_up(worker, third));
   EXPECT_EQ(worker.status().state, WorkerState::paused);
-  EXPECT_TRUE(worker.timeline().empty());
+  EXPECT_TRUE(worker.timeline().entries.empty());
   EXPECT_FALSE(worker.latest()->iteration);
 }
 
 TEST(Worker, NewTargetsWakeAFinishedRun) {
   Worker worker;
   worker.load(easy_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
   Points targets(2, 2);
   targets << 0, 3.0,  //
@@ -166,7 +167,7 @@ TEST(Worker, NewTargetsWakeAFinishedRun) {
   worker.set_targets(targets);
   ASSERT_TRUE(eventually([&] {
     return worker.latest()->handles[1].target == Vec2(3, 3.5) &&
-           worker.status().state == WorkerState::finished && !worker.timeline().empty();
+           worker.status().state == WorkerState::finished && !worker.timeline().entries.empty();
   }));
   EXPECT_TRUE(worker.status().satisfied);
 }
@@ -174,9 +175,9 @@ TEST(Worker, NewTargetsWakeAFinishedRun) {
 TEST(Worker, NewParametersGoOnFromTheSameMesh) {
   Worker worker;
   worker.load(grid_problem(6, Vec2(4, 4)));
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
-  worker.pause();
+  worker.set_mode(WorkerMode::paused);
   const auto before = worker.latest();
   Parameters parameters;
   parameters.alpha = 1e6;
@@ -184,7 +185,7 @@ TEST(Worker, NewParametersGoOnFromTheSameMesh) {
   ASSERT_TRUE(reaches(worker, WorkerState::paused));
   EXPECT_EQ(worker.latest()->deformed, before->deformed);
   EXPECT_EQ(worker.latest()->generation, before->generation);
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
   EXPECT_NE(worker.latest()->deformed, before->deformed);
 }
@@ -195,22 +196,22 @@ TEST(Worker, KeepsItsPace) {
   worker.load(easy_problem());
   worker.set_pace(50);
   const auto start = std::chrono::steady_clock::now();
-  worker.run();
-  ASSERT_TRUE(eventually([&] { return worker.timeline().size() >= 6; }));
+  worker.set_mode(WorkerMode::running);
+  ASSERT_TRUE(eventually([&] { return worker.timeline().entries.size() >= 6; }));
   // Never faster; how much slower depends on the machine.
   EXPECT_GE(std::chrono::steady_clock::now() - start, 5 * 20ms - 1ms);
 
   // A slow pace holds up neither messages nor single steps.
   worker.set_pace(0.001);
-  worker.pause();
+  worker.set_mode(WorkerMode::paused);
   ASSERT_TRUE(reaches(worker, WorkerState::paused));
-  const std::size_t before = worker.timeline().size();
+  const std::size_t before = worker.timeline().entries.size();
   worker.step();
-  EXPECT_TRUE(eventually([&] { return worker.timeline().size() == before + 1; }));
+  EXPECT_TRUE(eventually([&] { return worker.timeline().entries.size() == before + 1; }));
 
   worker.set_pace(std::nullopt);
-  worker.run();
-  EXPECT_TRUE(eventually([&] { return worker.timeline().size() >= before + 100; }));
+  worker.set_mode(WorkerMode::running);
+  EXPECT_TRUE(eventually([&] { return worker.timeline().entries.size() >= before + 100; }));
 }
 
 TEST(Worker, PublishesOnlyValidMeshes) {
@@ -221,13 +222,13 @@ TEST(Worker, PublishesOnlyValidMeshes) {
     test::displace(mesh, 5, k % 2 == 0 ? Vec2(-0.9, -0.9) : Vec2(0.9, 0.9));
   };
   worker.load(easy_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(eventually([&] {
     const auto latest = worker.latest();
     EXPECT_TRUE(!latest || is_valid(*latest));
     return worker.status().state == WorkerState::finished;
   }));
-  const auto entries = worker.timeline();
+  const auto entries = worker.timeline().entries;
   ASSERT_EQ(entries.size(), 300U);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     EXPECT_EQ(entries[i].snapshot == nullptr, i % 2 == 0) << i;
@@ -242,12 +243,12 @@ TEST(Worker, SaysInWordsThatARunCannotGoOn) {
     if (k == 3) throw std::runtime_error("the third iteration does not work");
   };
   worker.load(easy_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(eventually([&] { return !worker.status().error.empty(); }));
   EXPECT_EQ(worker.status().error, "the third iteration does not work");
   EXPECT_EQ(worker.status().state, WorkerState::idle);
   EXPECT_TRUE(is_valid(*worker.latest()));
-  EXPECT_EQ(worker.timeline().size(), 2U);
+  EXPECT_EQ(worker.timeline().entries.size(), 2U);
 
   scripted.script->change = nullptr;
   scripted.script->length = 4;
@@ -273,7 +274,7 @@ TEST(Worker, WakesItsReader) {
   script->length = 20;
   Worker worker([&wakes] { ++wakes; }, {.start = starter_of(script)});
   worker.load(easy_problem());
-  worker.run();
+  worker.set_mode(WorkerMode::running);
   ASSERT_TRUE(reaches(worker, WorkerState::finished));
   EXPECT_TRUE(eventually([&] { return wakes >= 21; }));
 }
