@@ -21,6 +21,7 @@ class ComparePoses : public testing::Test {
     headless_.press(from);
     headless_.move(from + Vec2(-60, 40));
     headless_.release(from + Vec2(-60, 40));
+    headless_.wait_until([this] { return !editor().playback().is_solving(); });
     headless_.calm_down();
   }
   Editor& editor() { return headless_.editor(); }
