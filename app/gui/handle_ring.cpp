@@ -8,12 +8,13 @@
 namespace foldless {
 namespace {
 
-/// Light on dark can be seen on every colour.
 struct Circle {
   ImVec2 centre;
   float radius = 0;
   float width = 0;  ///< of its line [design pixels]
 };
+
+/// Light on dark can be seen on every colour.
 void draw_circle(const Circle& circle, const CanvasBrush& brush, const Look& look) {
   const auto& [centre, radius, width] = circle;
   brush.list.AddCircle(centre, radius, IM_COL32(0, 0, 0, 150), 0, look.px(width + 1.6F));

@@ -34,9 +34,14 @@ class Player {
     ui_.restore(editor_);
   }
 
-  void open(const std::filesystem::path& file) {
-    if (!file.empty()) editor_.files().open(file);
+  void open(const SessionStart& start) {
+    if (start.is_sample)
+      editor_.files().open_sample(start.file);
+    else if (!start.file.empty())
+      editor_.files().open(start.file);
     rest();
+    const bool is_open = !editor_.document().is_empty() || editor_.files().image_import().is_open();
+    if (!start.file.empty() && !is_open) throw Error(editor_.messages().log().back().text);
   }
 
   void play(const SessionEntry& entry) {
@@ -103,7 +108,7 @@ int replay_session(const ReplayOptions& options) {
   std::filesystem::create_directories(options.shots, failure);
   if (failure) throw Error(options.shots.string() + ": " + failure.message());
   Player player(session.window, options.shots);
-  player.open(session.file);
+  player.open(session.start);
   for (const SessionEntry& entry : session.entries) {
     if (player.has_ended()) break;
     try {

@@ -81,11 +81,13 @@ class Session {
 
   /// A file, or the sample that invites a drag.
   void open(const std::optional<std::filesystem::path>& file) {
-    if (file)
+    if (file) {
+      opened_ = {*file, false};
       editor_.files().open(*file);
-    else
-      editor_.files().open_sample(welcome_scene());
-    opened_ = file.value_or(welcome_scene());
+    } else {
+      opened_ = {welcome_scene(), true};
+      editor_.files().open_sample(opened_.file);
+    }
     editor_.files().find_lost_work();
   }
 
@@ -113,7 +115,8 @@ class Session {
     const Extent framebuffer = window_.framebuffer_size();
     if (framebuffer.width == 0 || framebuffer.height == 0) return;
     last_start_ = clock_.now();
-    recorder_.follow(last_start_, {framebuffer, window_.size(), window_.content_scale()}, opened_);
+    const SessionWindow window{framebuffer, window_.size(), window_.content_scale()};
+    record([&] { recorder_.follow(last_start_, window, opened_); });
     ui_.frame(editor_, {framebuffer, window_.size(), window_.content_scale(), last_start_});
     window_.set_title(editor_.files().title() + " – Foldless");
     window_.set_cursor(ui_.cursor());
@@ -122,6 +125,16 @@ class Session {
     window_.swap_buffers();
     log_.add({last_start_, drawn - last_start_, clock_.now() - last_start_,
               editor_.draft().is_editing(), editor_.playback().iterations().size()});
+  }
+
+  /// The work goes on where it can no longer be recorded.
+  template <class Action>
+  void record(const Action& action) {
+    try {
+      action();
+    } catch (const Error& error) {
+      editor_.messages().toast(ToastKind::error, error.what());
+    }
   }
 
   void remember_size() {
@@ -159,7 +172,7 @@ class Session {
 
   void take_events() {
     for (const UiEvent& event : window_.take_events()) {
-      recorder_.add(clock_.now(), event);
+      record([&] { recorder_.add(clock_.now(), event); });
       ui_.receive(event);
     }
     if (window_.take_close_request()) editor_.files().close();
@@ -171,7 +184,7 @@ class Session {
   Ui ui_;
   FrameLog log_;
   SessionRecorder recorder_;
-  std::filesystem::path opened_;
+  SessionStart opened_;
   Interrupt interrupt_;
   double last_start_ = 0;
 };

@@ -231,13 +231,15 @@ SessionFile read_session(const std::filesystem::path& path) {
             "{\"session\": 1, \"size\": [1280, 800]}");
   SessionFile session;
   const JsonValue& head = lines.front();
-  head.allow_only({"session", "size", "window", "scale", "file"});
+  head.allow_only({"session", "size", "window", "scale", "file", "sample"});
   if (head.at("session").integer() != 1)
     head.at("session").refuse("is " + head.at("session").shown() +
                               ", but this program reads version 1; use a newer Foldless");
   session.window = read_window(head);
-  if (const auto file = head.find("file"))
-    session.file = (folder / file->text()).lexically_normal();
+  for (const char* key : {"file", "sample"})
+    if (const auto file = head.find(key))
+      session.start = {(folder / file->text()).lexically_normal(),
+                       key == std::string_view("sample")};
   for (auto line = lines.begin() + 1; line != lines.end(); ++line) {
     const auto t = line->find("t");
     const double before = session.entries.empty() ? 0 : session.entries.back().time;
@@ -247,11 +249,13 @@ SessionFile read_session(const std::filesystem::path& path) {
   return session;
 }
 
-std::string first_line(const SessionWindow& window, const std::filesystem::path& file,
+std::string first_line(const SessionWindow& window, const SessionStart& start,
                        const std::filesystem::path& folder) {
   json line{{"session", 1}};
   LineWriter{line}(window);
-  if (!file.empty()) line["file"] = std::filesystem::absolute(file).lexically_proximate(folder);
+  if (!start.file.empty())
+    line[start.is_sample ? "sample" : "file"] =
+        std::filesystem::absolute(start.file).lexically_proximate(folder);
   return line.dump() + '\n';
 }
 

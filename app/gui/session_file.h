@@ -34,12 +34,18 @@ struct SessionEntry {
   int line = 0;  ///< of the file
 };
 
+/// What was opened when a session began.
+struct SessionStart {
+  std::filesystem::path file;  ///< absolute; empty: nothing
+  bool is_sample = false;      ///< opened as a copy, which is saved elsewhere
+};
+
 /// What somebody did in the editor: JSON lines, one an event. The first names the window and the
-/// file that was opened, `{"session": 1, "size": [1280, 800], "file": "cat.json"}`; paths are
-/// relative to the session's folder.
+/// file that was opened, `{"session": 1, "size": [1280, 800], "file": "cat.json"}`, or a `sample`;
+/// paths are relative to the session's folder.
 struct SessionFile {
   SessionWindow window;
-  std::filesystem::path file;  ///< absolute; empty: none was opened
+  SessionStart start;
   std::vector<SessionEntry> entries;
 };
 
@@ -49,7 +55,7 @@ SessionFile read_session(const std::filesystem::path& path);
 // Lines to write, with their ends.
 
 /// The first one; `folder` is that of the session.
-std::string first_line(const SessionWindow& window, const std::filesystem::path& file,
+std::string first_line(const SessionWindow& window, const SessionStart& start,
                        const std::filesystem::path& folder);
 std::string line_of(double time, const SessionEvent& event);
 

@@ -8,17 +8,22 @@
 
 namespace foldless {
 
-void SessionRecorder::follow(double time, const SessionWindow& window,
-                             const std::filesystem::path& file) {
-  if (!is_on() || (out_.is_open() && window == window_)) return;
+SessionRecorder::SessionRecorder(const std::filesystem::path& path) : path_(path) {
+  if (path.empty()) return;
+  out_.open(path);
+  if (!out_) throw Error(path.string() + ": the session cannot be recorded there");
+}
+
+void SessionRecorder::follow(double time, const SessionWindow& window, const SessionStart& start) {
+  if (!is_on() || window == window_) return;
+  const bool is_first = !window_;
   window_ = window;
-  if (out_.is_open()) return write(line_of(time, window));
-  out_.open(path_);
-  write(first_line(window, file, std::filesystem::absolute(path_).parent_path()));
+  write(is_first ? first_line(window, start, std::filesystem::absolute(path_).parent_path())
+                 : line_of(time, window));
 }
 
 void SessionRecorder::add(double time, const UiEvent& event) {
-  if (!out_.is_open()) return;
+  if (!is_on()) return;
   const auto* input = std::get_if<InputEvent>(&event);
   const auto* key = input ? std::get_if<KeyPressed>(input) : nullptr;
   if (!key || key->key != Key::f12 || !key->modifiers.shift) return write(line_of(time, event));
@@ -29,7 +34,9 @@ void SessionRecorder::add(double time, const UiEvent& event) {
 
 void SessionRecorder::write(const std::string& line) {
   out_ << line << std::flush;
-  if (!out_) throw Error(path_.string() + ": the session cannot be recorded there");
+  if (out_) return;
+  out_.close();
+  throw Error(path_.string() + ": what follows could not be recorded");
 }
 
 }  // namespace foldless

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <string>
 
 #include "app/gui/session_file.h"
 
@@ -12,12 +14,14 @@ namespace foldless {
 /// Shift+F12 takes a picture when the session is replayed.
 class SessionRecorder {
  public:
-  /// An empty path records nothing. Throws Error when the file cannot be written.
-  explicit SessionRecorder(const std::filesystem::path& path) : path_(path) {}
+  /// An empty path records nothing. Throws Error when the file cannot be made.
+  explicit SessionRecorder(const std::filesystem::path& path);
 
-  bool is_on() const { return !path_.empty(); }
-  /// The window of the frame that is drawn next, and at first the file that was opened.
-  void follow(double time, const SessionWindow& window, const std::filesystem::path& file);
+  // Each throws Error when the file can no longer be written; it is off from then on.
+
+  bool is_on() const { return out_.is_open(); }
+  /// The window of the frame that is drawn next, and at first what was opened.
+  void follow(double time, const SessionWindow& window, const SessionStart& start);
   void add(double time, const UiEvent& event);
 
  private:
@@ -25,7 +29,7 @@ class SessionRecorder {
 
   std::filesystem::path path_;
   std::ofstream out_;
-  SessionWindow window_;
+  std::optional<SessionWindow> window_;  ///< nothing before the first line
   int shots_ = 0;
 };
 

@@ -47,7 +47,13 @@ TEST_F(ComparePoses, OutlinesAreDrawn) {
   headless_.key(Key::o);
   headless_.settle();
   EXPECT_GT(differing_pixels(before, headless_.picture()), 500);
-  headless_.key(Key::o);
+  editor().view().hide_overlays(true);
+  headless_.settle();
+  const Image hidden = headless_.canvas_picture();
+  editor().comparison().clear_outlines();
+  headless_.settle();
+  EXPECT_EQ(differing_pixels(hidden, headless_.canvas_picture()), 0) << "H hides them";
+  editor().view().hide_overlays(false);
   headless_.settle();
   EXPECT_EQ(differing_pixels(before, headless_.picture()), 0);
 }

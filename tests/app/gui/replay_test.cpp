@@ -95,6 +95,24 @@ TEST_F(Sessions, TheWindowMayChangeItsSize) {
   EXPECT_EQ(shot("second").width, 700);
 }
 
+TEST_F(Sessions, ASampleIsOpenedAsACopyThatIsNeverOverwritten) {
+  const std::string save = R"({"t": 1, "key": "S", "held": ["ctrl"]}
+{"t": 1.1, "key_up": "S"}
+{"t": 2, "shot": "asks"})";
+  const auto path = folder_.write(
+      "session.jsonl",
+      first_line({{900, 600}, {900, 600}}, {folder_ / "scene.json", true}, folder_.path()) + save);
+  EXPECT_TRUE(read_session(path).start.is_sample);
+  replay_session({path, folder_ / "shots"});
+  EXPECT_EQ(read_file(folder_ / "scene.json"), kScene) << "Ctrl+S asks where to";
+}
+
+TEST_F(Sessions, WhatCannotBeOpenedIsAnError) {
+  std::filesystem::remove(folder_ / "scene.json");
+  EXPECT_THROW(replay(R"({"t": 1, "shot": "one"})"), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "shots/one.png"));
+}
+
 TEST_F(Sessions, QuittingEndsThem) {
   EXPECT_EQ(replay(R"({"t": 1, "shot": "one"}
 {"t": 2, "key": "Q", "held": ["ctrl"]}
@@ -139,7 +157,7 @@ TEST_F(Sessions, WhatWasRecordedIsReadAgain) {
   const auto path = folder_ / "recorded.jsonl";
   SessionRecorder recorder(path);
   const SessionWindow window{{800, 600}, {400, 300}, 2};
-  recorder.follow(0.5, window, folder_ / "scene.json");
+  recorder.follow(0.5, window, {folder_ / "scene.json"});
   for (std::size_t i = 0; i < events.size(); ++i)
     recorder.add(1 + static_cast<double>(i), events[i]);
   recorder.follow(50, window, {});
@@ -148,7 +166,8 @@ TEST_F(Sessions, WhatWasRecordedIsReadAgain) {
 
   const SessionFile session = read_session(path);
   EXPECT_EQ(session.window, window);
-  EXPECT_EQ(session.file, folder_ / "scene.json");
+  EXPECT_EQ(session.start.file, folder_ / "scene.json");
+  EXPECT_FALSE(session.start.is_sample);
   ASSERT_EQ(session.entries.size(), events.size() + 2);
   for (std::size_t i = 0; i < events.size(); ++i) {
     const SessionEntry& entry = session.entries[i];
@@ -159,6 +178,15 @@ TEST_F(Sessions, WhatWasRecordedIsReadAgain) {
   }
   EXPECT_EQ(std::get<SessionWindow>(session.entries[events.size()].event).framebuffer.width, 801);
   EXPECT_EQ(std::get<Shot>(session.entries.back().event).name, "0001");
+}
+
+TEST_F(Sessions, WhatCannotBeRecordedIsSaidAndNoMoreIsTried) {
+  EXPECT_THROW(SessionRecorder(folder_ / "none/session.jsonl"), Error);
+  SessionRecorder recorder("/dev/full");
+  ASSERT_TRUE(recorder.is_on());
+  EXPECT_THROW(recorder.follow(0, {{8, 8}, {8, 8}, 1}, {}), Error);
+  EXPECT_FALSE(recorder.is_on());
+  recorder.add(1, WindowLeft{});
 }
 
 TEST_F(Sessions, EveryKeyHasANameOfItsOwn) {
