@@ -9,8 +9,8 @@
 namespace foldless {
 namespace {
 
-constexpr double kSmallest = 1e-12;  // keeps logarithms finite
-constexpr double kDecadesOfEnergy = 1e-6;
+constexpr double kSmallest = 1e-12;    // keeps logarithms finite
+constexpr double kLeastEnergy = 1e-6;  // of the largest; less is as good as none
 constexpr double kLeastExtent = 1.01;  // max / min; less is rounding noise and shows as one colour
 
 /// A triangle that is turned over lies beyond every scale.
@@ -32,7 +32,7 @@ HeatRange range_of(const std::vector<double>& values, HeatMeasure measure) {
   }
   if (most == 0) return range;
   range.min = measure == HeatMeasure::conformal ? 1 : least;
-  if (measure == HeatMeasure::energy) range.min = std::max(least, kDecadesOfEnergy * most);
+  if (measure == HeatMeasure::energy) range.min = std::max(least, kLeastEnergy * most);
   range.max = std::max(most, kLeastExtent * range.min);
   return range;
 }

@@ -93,6 +93,7 @@ void Scenes::draw_document(Editor& editor, const Layout& layout, Extent framebuf
   ViewOptions options = editor.view().shown_options();
   // Never the checkerboard in place of a picture that is still being read.
   if (editor.files().texture_image().is_reading()) options.layers.fill = false;
+  view.energy_densities = energy_densities(shown, *editor.document().energy, options);
   if (editor.view().remesh_diff().is_shown()) {
     SceneView beside = view;
     beside.viewport = viewport_of(layout.rest, framebuffer);
@@ -103,15 +104,17 @@ void Scenes::draw_document(Editor& editor, const Layout& layout, Extent framebuf
   }
   view.viewport = viewport_of(layout.canvas, framebuffer);
   if (editor.comparison().is_held()) return draw_other_pose(editor, view, options);
-  view.energy_densities = energy_densities(shown, *editor.document().energy, options);
   if (editor.brush().is_on()) view.stiffness = editor.brush().factors();
   canvas_.draw(shown, view, options);
   heat_range_ = canvas_.heat_range();
 }
 
 /// What is compared with, in place of the newest.
-void Scenes::draw_other_pose(const Editor& editor, const SceneView& view, ViewOptions options) {
-  if (const auto kept = editor.comparison().kept()) return canvas_.draw(*kept, view, options);
+void Scenes::draw_other_pose(const Editor& editor, SceneView view, ViewOptions options) {
+  if (const auto kept = editor.comparison().kept()) {
+    view.energy_densities = energy_densities(*kept, *editor.document().energy, options);
+    return canvas_.draw(*kept, view, options);
+  }
   options.pose = Pose::rest;
   canvas_.draw(with_targets_at_rest(*editor.shown()), view, options);
 }

@@ -29,7 +29,7 @@ class Scenes {
   void draw_preview(const Preview& preview, const Editor& editor, const Layout& layout,
                     Extent framebuffer);
   void draw_document(Editor& editor, const Layout& layout, Extent framebuffer);
-  void draw_other_pose(const Editor& editor, const SceneView& view, ViewOptions options);
+  void draw_other_pose(const Editor& editor, SceneView view, ViewOptions options);
   void draw_race(const Editor& editor, const Layout& layout, Extent framebuffer);
 
   SceneRenderer canvas_;

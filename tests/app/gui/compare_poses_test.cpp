@@ -71,6 +71,14 @@ TEST_F(ComparePoses, TheHeatMapShowsAnglesAreasOrTheEnergy) {
   EXPECT_GT(differing_pixels(pictures[0], pictures[1]), 3000);
   EXPECT_GT(differing_pixels(pictures[0], pictures[2]), 3000);
   EXPECT_GT(differing_pixels(pictures[1], pictures[2]), 3000);
+  // A kept pose is drawn by its own triangles.
+  editor().run_command("compare.keep");
+  editor().run_command("compare.hold");
+  headless_.settle();
+  EXPECT_LT(differing_pixels(pictures[2], headless_.canvas_picture()), 20000)
+      << "but for the plate";
+  EXPECT_GT(differing_pixels(pictures[0], headless_.canvas_picture()), 3000);
+  editor().comparison().hold(false);
   // Of an undeformed mesh the energy is zero everywhere: one colour, no scale to divide by.
   editor().edits().reset_pose();
   headless_.calm_down();
