@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli.h"
+#include "app/cli/command_line.h"
 #include "app/gui/replay.h"
 #include "app/gui/run_editor.h"
 

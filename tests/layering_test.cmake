@@ -85,7 +85,7 @@ may_include("app/editor/.*" "${EDITOR}")
 may_include("app/export/.*" "${BASE}|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
 may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|app/exit_status\\.h|<(glad/gl|imgui.*|GLFW/glfw3|fontconfig/.*)\\.h>")
 may_include("app/bench/.*" "${BASE}|core/.*|app/(bench|export)/.*")
-may_include("app/cli[^/]*" "${BASE}|<CLI/CLI\\.hpp>|core/.*|render/.*|app/(bench|export)/.*|app/(cli.*|exit_status\\.h)")
+may_include("app/cli/.*" "${BASE}|<CLI/CLI\\.hpp>|core/.*|render/.*|app/(bench|export)/.*|app/(cli/.*|exit_status\\.h)")
 
 # 1. Libraries that one place alone sees.
 only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
@@ -96,7 +96,7 @@ only_in("core/linear/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp
         "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")
-only_in("app/cli_[a-z_]+\\.cpp" "<CLI/" "CLI11 belongs to the command line")
+only_in("app/cli/[a-z_]+\\.cpp" "<CLI/" "CLI11 belongs to the command line")
 set(cli11_files "")
 foreach(file IN LISTS SOURCES)
   file(STRINGS ${SOURCE_DIR}/${file} hits REGEX "include <CLI/")
@@ -117,7 +117,7 @@ only_in("core/.*|app/.*|render/(mesh|marker)_layer\\.(h|cpp)" "<Eigen/"
         "Eigen ends at mesh_layer and marker_layer")
 
 # 4. Only main and the command line print; headers do not open namespaces.
-only_in("app/(main|cli.*)\\.(h|cpp)"
+only_in("app/(main\\.cpp|cli/.*)"
         "std::(cout|cerr|clog)|<iostream>|(^|[^a-z_])(printf|fprintf|puts|fputs|putchar|perror) *[(]"
         "only main and the command line print")
 only_in(".*\\.cpp" "using namespace" "no using namespace in headers")

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli.h"
+#include "app/cli/command_line.h"
 #include "core/method/method.h"
 
 namespace foldless::test {

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "app/cli_problem.h"
+#include "app/cli/problem.h"
 #include "core/files/mesh_io.h"
 #include "render/figure.h"
 #include "tests/app/cli/command.h"

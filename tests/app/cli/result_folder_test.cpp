@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_result_folder.h"
+#include "app/cli/result_folder.h"
 
 #include <gtest/gtest.h>
 

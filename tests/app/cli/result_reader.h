@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "app/cli_manifest.h"
+#include "app/cli/manifest.h"
 #include "tests/app/cli/command.h"
 
 namespace foldless::test {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/cli_manifest.h"
+#include "app/cli/manifest.h"
 
 namespace foldless {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_manifest.h"
+#include "app/cli/manifest.h"
 
 #include <algorithm>
 #include <array>

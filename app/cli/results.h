@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/cli_report.h"
-#include "app/cli_result_folder.h"
+#include "app/cli/report.h"
+#include "app/cli/result_folder.h"
 #include "render/figure.h"
 
 namespace foldless {

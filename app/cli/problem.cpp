@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_problem.h"
+#include "app/cli/problem.h"
 
 #include <iostream>
 #include <string_view>

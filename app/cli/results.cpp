@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_results.h"
+#include "app/cli/results.h"
 
 #include <algorithm>
 #include <string>

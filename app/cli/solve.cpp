@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "app/bench/stop_watch.h"
-#include "app/cli.h"
-#include "app/cli_calls.h"
-#include "app/cli_problem.h"
-#include "app/cli_report.h"
-#include "app/cli_results.h"
+#include "app/cli/calls.h"
+#include "app/cli/command_line.h"
+#include "app/cli/problem.h"
+#include "app/cli/report.h"
+#include "app/cli/results.h"
 #include "core/energy/densities.h"
 #include "core/run/interrupt.h"
 #include "core/run/run.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_report.h"
+#include "app/cli/report.h"
 
 #include <string_view>
 #include <utility>

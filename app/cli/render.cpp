@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "app/cli.h"
-#include "app/cli_calls.h"
-#include "app/cli_problem.h"
-#include "app/cli_solved_folder.h"
+#include "app/cli/calls.h"
+#include "app/cli/command_line.h"
+#include "app/cli/problem.h"
+#include "app/cli/solved_folder.h"
 #include "core/error.h"
 #include "core/files/mesh_io.h"
 #include "core/files/text_lines.h"

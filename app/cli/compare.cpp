@@ -4,8 +4,8 @@
 #include <iostream>
 #include <string>
 
-#include "app/cli.h"
-#include "app/cli_calls.h"
+#include "app/cli/calls.h"
+#include "app/cli/command_line.h"
 #include "core/error.h"
 #include "render/image_difference.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/cli_calls.h"
-#include "app/cli_option_texts.h"
+#include "app/cli/calls.h"
+#include "app/cli/option_texts.h"
 #include "core/data_path.h"
 #include "core/energy/densities.h"
 #include "core/error.h"

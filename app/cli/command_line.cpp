@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli.h"
+#include "app/cli/command_line.h"
 
 #include <exception>
 #include <iostream>
 #include <string>
 
-#include "app/cli_calls.h"
-#include "app/cli_streams.h"
+#include "app/cli/calls.h"
+#include "app/cli/streams.h"
 
 namespace foldless {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_solved_folder.h"
+#include "app/cli/solved_folder.h"
 
 #include <memory>
 #include <string>
 
-#include "app/cli_result_folder.h"
+#include "app/cli/result_folder.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/mesh/injective.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_streams.h"
+#include "app/cli/streams.h"
 
 #include <fcntl.h>
 #include <unistd.h>

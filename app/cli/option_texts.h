@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/cli_calls.h"
+#include "app/cli/calls.h"
 
 namespace foldless {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/cli.h"
-#include "app/cli_calls.h"
-#include "app/cli_problem.h"
+#include "app/cli/calls.h"
+#include "app/cli/command_line.h"
+#include "app/cli/problem.h"
 #include "core/energy/densities.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli_option_texts.h"
+#include "app/cli/option_texts.h"
 
 #include <algorithm>
 #include <array>

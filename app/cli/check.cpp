@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "app/cli.h"
-#include "app/cli_calls.h"
-#include "app/cli_problem.h"
-#include "app/cli_solved_folder.h"
+#include "app/cli/calls.h"
+#include "app/cli/command_line.h"
+#include "app/cli/problem.h"
+#include "app/cli/solved_folder.h"
 #include "core/energy/constraints.h"
 #include "core/error.h"
 #include "core/mesh/injective.h"
