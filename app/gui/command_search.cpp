@@ -52,7 +52,7 @@ void CommandSearch::draw(Editor& editor, UiState& state, const Look& look) {
   ImGui::SetNextItemWidth(-1);
   if (ImGui::InputTextWithHint("##search", "What would you like to do?", &text_)) selected_ = 0;
   const bool is_taken = dialog_keys(TextKeys::dialog).takes;
-  ImGui::BeginChild("rows");
+  begin_rows({0, 0}, look);
   draw_rows(all_actions(editor, state), is_taken, look);
   ImGui::EndChild();
   ImGui::EndPopup();

@@ -35,7 +35,7 @@ void draw_kind_choice(const SelectedHandles& selected, Editor& editor, const Loo
   static constexpr std::array kTitles{"Drag", "Pin", "Soft"};  // in the order of HandleKind
   begin_field("Kind", look);
   const char* title = selected.kind ? kTitles[static_cast<std::size_t>(*selected.kind)] : "several";
-  if (ImGui::BeginCombo("##kind", title)) {
+  if (begin_combo("##kind", title)) {
     for (std::size_t i = 0; i < kTitles.size(); ++i)
       if (ImGui::Selectable(kTitles[i])) set_kind(editor, static_cast<HandleKind>(i));
     ImGui::EndCombo();

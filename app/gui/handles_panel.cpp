@@ -9,6 +9,7 @@
 
 #include "app/gui/directory.h"
 #include "app/gui/panels.h"
+#include "app/gui/short_text.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
@@ -65,9 +66,9 @@ void draw_row(const HandleView& handle, Editor& editor, const PanelContext& cont
   list.AddText({right - width, corner.y},
                packed(handle.is_at_target ? look.palette->dim : look.palette->warning),
                residual.c_str());
-  const ImVec4 room{corner.x, corner.y, right - width - look.px(8), corner.y + 2 * line};
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {corner.x + look.px(20), corner.y},
-               packed(look.palette->text), name.c_str(), nullptr, 0, &room);
+  const float left = corner.x + look.px(20);
+  list.AddText({left, corner.y}, packed(look.palette->text),
+               elided(name, right - width - look.px(8) - left).c_str());
   if (!clicked) return;
   std::set<int> selection =
       context.state.modifiers.shift ? editor.selection().ids() : std::set<int>{};
@@ -90,11 +91,8 @@ void draw_handles_panel(Editor& editor, const PanelContext& context) {
   std::erase_if(handles, [&](const HandleView& handle) {
     return !search.empty() && !matches_filter(handle_title(handle), search);
   });
-  const float row = ImGui::GetTextLineHeightWithSpacing();
   const float most = context.look.px(220);
-  const float height =
-      std::min(row * static_cast<float>(handles.size()) + context.look.px(4), most);
-  ImGui::BeginChild("rows", {0, height});
+  begin_rows({0, std::min(rows_height(handles.size(), context.look), most)}, context.look);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(handles.size()));
   while (clipper.Step())

@@ -12,10 +12,9 @@ void draw_history_panel(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   const History& history = editor.draft().history();
   const auto& steps = history.steps();
-  const float row = ImGui::GetTextLineHeightWithSpacing();
-  const float height = std::min(row * static_cast<float>(steps.size()) + look.px(4), look.px(200));
+  const float height = std::min(rows_height(steps.size(), look), look.px(200));
   std::optional<std::size_t> chosen;
-  ImGui::BeginChild("rows", {0, height});
+  begin_rows({0, height}, look);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const bool is_undone = i > history.current();
     ImGui::PushID(static_cast<int>(i));

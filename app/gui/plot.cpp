@@ -89,10 +89,7 @@ void draw_cursor(const PlotAxes& axes, std::size_t index, const Palette& palette
 
 void draw_curves(const Plot& plot, const PlotAxes& axes, const Palette& palette) {
   draw_ticks(plot, axes, palette);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.PushClipRect({axes.min.x, axes.min.y - 3}, {axes.max.x + 3, axes.max.y + 3}, true);
   for (const PlotCurve& curve : plot.curves) draw_curve(curve, plot, axes);
-  list.PopClipRect();
 }
 
 }  // namespace

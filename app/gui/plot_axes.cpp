@@ -91,7 +91,8 @@ PlotAxes axes_of(const Plot& plot, const ImVec2& corner) {
   const float line_height = plot.font->FontSize;
   PlotAxes axes;
   axes.min = {corner.x + line_height * 2.6F, corner.y + line_height * 1.6F};
-  axes.max = {corner.x + plot.size.x, corner.y + plot.size.y - line_height * 0.4F};
+  axes.max = {corner.x + plot.size.x - line_height * 0.4F,
+              corner.y + plot.size.y - line_height * 0.4F};
   axes.is_logarithmic = plot.is_logarithmic;
   for (const PlotCurve& curve : plot.curves) axes.count = std::max(axes.count, curve.values.size());
   if (plot.is_logarithmic)

@@ -43,7 +43,7 @@ bool begin_part(const char* id, const Rectangle& place, const Look& look) {
 void draw_varied(Race& race, const Look& look) {
   const ParameterRow* varied = race.setup().varied;
   ImGui::SetNextItemWidth(look.px(190));
-  if (ImGui::BeginCombo("##varied", varied ? varied->title.data() : "Methods")) {
+  if (begin_combo("##varied", varied ? varied->title.data() : "Methods")) {
     if (ImGui::Selectable("Methods", !varied)) race.set_setup(method_race(race.document()));
     for (const ParameterRow& row : parameter_rows())
       if (ImGui::Selectable(row.title.data(), varied == &row))
@@ -73,7 +73,7 @@ void draw_start(Race& race, const Look& look) {
   static constexpr std::array kStarts{"From the mesh at rest", "From the present mesh"};
   const std::size_t present = race.setup().starts_at_rest ? 0 : 1;
   ImGui::SetNextItemWidth(look.px(176));
-  if (ImGui::BeginCombo("##start", kStarts[present])) {
+  if (begin_combo("##start", kStarts[present])) {
     for (std::size_t i = 0; i < kStarts.size(); ++i)
       if (ImGui::Selectable(kStarts[i], i == present) && i != present) {
         RaceSetup setup = race.setup();
@@ -116,8 +116,8 @@ void choose_method(Race& race, std::size_t lane, const RoomForChoice& room) {
   const RaceSetup& setup = race.setup();
   const float arrow = room.is_narrow ? 0 : ImGui::GetFrameHeight();
   const float words = room.width - arrow - 2 * ImGui::GetStyle().FramePadding.x;
-  if (!ImGui::BeginCombo("##method", lane_name(race, lane, words).c_str(),
-                         room.is_narrow ? ImGuiComboFlags_NoArrowButton : 0))
+  if (!begin_combo("##method", lane_name(race, lane, words),
+                   room.is_narrow ? ImGuiComboFlags_NoArrowButton : 0))
     return;
   for (const MethodRow& row : methods())
     if (ImGui::Selectable(row.title.data(), setup.methods[lane] == row.name)) {

@@ -86,7 +86,7 @@ void draw_recovery_dialog(Editor& editor, const PanelContext& context) {
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     // In a low window the rows scroll, the buttons stay.
-    ImGui::BeginChild("rows", {0, -ImGui::GetFrameHeightWithSpacing()});
+    begin_rows({0, -ImGui::GetFrameHeightWithSpacing()}, look);
     draw_rows(recovery, look);
     if (!recovery.problem().empty()) {
       ImGui::Spacing();

@@ -30,6 +30,15 @@ std::string short_number(double value, int digits) {
   return text;
 }
 
+std::string shortened(const std::string& text, float width) {
+  std::string shown = text;
+  for (std::size_t kept = text.size(); ImGui::CalcTextSize(shown.c_str()).x > width && kept > 0;) {
+    kept = beginning(text, kept - 1);
+    shown = text.substr(0, kept) + "…";
+  }
+  return shown;
+}
+
 std::string elided(const std::string& text, float width) {
   std::string shown = text;
   // One letter less at a time, from the longer half.

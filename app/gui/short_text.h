@@ -10,5 +10,7 @@ std::string short_number(double value, int digits);
 
 /// The text, with "…" in place of its middle where it is wider than `width` in the present font.
 std::string elided(const std::string& text, float width);
+/// The same with "…" in place of its end.
+std::string shortened(const std::string& text, float width);
 
 }  // namespace foldless

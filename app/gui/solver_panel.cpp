@@ -85,7 +85,7 @@ void draw_label(const ParameterRow& row, bool changed, const Look& look) {
 
 void draw_choice(const ParameterRow& row, double value, Editor& editor) {
   const auto current = static_cast<std::size_t>(value);
-  if (!ImGui::BeginCombo("##value", row.choices[current].data())) return;
+  if (!begin_combo("##value", row.choices[current].data())) return;
   for (std::size_t k = 0; k < row.choices.size(); ++k)
     if (ImGui::Selectable(row.choices[k].data(), k == current))
       editor.edits().set_parameter(row, static_cast<double>(k));
@@ -147,7 +147,7 @@ void draw_parameter(const ParameterRow& row, Editor& editor, const Look& look) {
 void draw_method_choice(Editor& editor, const Look& look) {
   const MethodRow* current = find_method(editor.document().parameters.method);
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::BeginCombo("##method", current ? current->title.data() : "Unknown method")) {
+  if (begin_combo("##method", current ? current->title.data() : "Unknown method")) {
     for (const MethodRow& row : methods())
       if (ImGui::Selectable(row.title.data(), &row == current)) editor.edits().set_method(row.name);
     ImGui::EndCombo();
@@ -158,7 +158,7 @@ void draw_method_choice(Editor& editor, const Look& look) {
 void draw_energy_choice(Editor& editor, const Look& look) {
   const Density* current = editor.document().energy;
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::BeginCombo("##energy", current->title.data())) {
+  if (begin_combo("##energy", current->title.data())) {
     for (const Density& row : densities())
       if (ImGui::Selectable(row.title.data(), &row == current)) editor.edits().set_energy(row);
     ImGui::EndCombo();

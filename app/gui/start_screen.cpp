@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "app/gui/short_text.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
@@ -22,11 +23,38 @@ struct Card {
   std::string tip;
 };
 
-/// In the lines that there are room for; what is left is cut.
-void draw_words(const std::string& words, const ImRect& room, ImFont* font, const ImVec4& colour) {
-  const ImVec4 clip = room.ToVec4();
-  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, room.Min, packed(colour), words.c_str(),
-                                      nullptr, room.GetWidth(), &clip);
+/// Where words are, and in how many lines at most.
+struct Lines {
+  ImVec2 corner;
+  float width;
+  int count;
+};
+
+/// The last line has what is left, shortened where it has no room.
+void draw_lines(const std::string& words, const Lines& place) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float height = ImGui::GetFontSize();
+  const char* begin = words.c_str();
+  const char* const end = begin + words.size();
+  const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
+  for (int line = 0; line < place.count && begin < end; ++line) {
+    const ImVec2 at{place.corner.x, place.corner.y + height * static_cast<float>(line)};
+    const char* next = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, place.width);
+    if (line + 1 < place.count && next > begin) {
+      list.AddText(at, colour, begin, next);
+      begin = next + (next < end && *next == ' ' ? 1 : 0);
+    } else {
+      return list.AddText(at, colour, shortened(begin, place.width).c_str());
+    }
+  }
+}
+
+void draw_words(const std::string& words, const Lines& place, ImFont* font, const ImVec4& colour) {
+  ImGui::PushFont(font);
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  draw_lines(words, place);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
 }
 
 /// A button with a picture, a title and a line; true when it is pressed.
@@ -48,11 +76,10 @@ bool draw_card(const Card& card, Thumbnails& thumbnails, const Look& look) {
                          ImDrawFlags_RoundCornersTop);
   list.AddRect(corner, end, packed(is_hovered ? look.palette->accent : look.palette->border),
                rounding, 0, look.px(is_hovered ? 2 : 1));
-  const float left = corner.x + look.px(9), right = end.x - look.px(9);
+  const float left = corner.x + look.px(9), width = size.x - look.px(18);
   const float top = picture_end.y + look.px(6), middle = top + look.px(18);
-  const float bottom = middle + 2 * look.fonts.small->FontSize + look.px(3);
-  draw_words(card.title, {left, top, right, middle}, look.fonts.text, look.palette->text);
-  draw_words(card.words, {left, middle, right, bottom}, look.fonts.small, look.palette->dim);
+  draw_words(card.title, {{left, top}, width, 1}, look.fonts.text, look.palette->text);
+  draw_words(card.words, {{left, middle}, width, 2}, look.fonts.small, look.palette->dim);
   return is_pressed;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/editor/commands.h"
 #include "app/gui/panels.h"
+#include "app/gui/short_text.h"
 #include "app/gui/widgets.h"
 #include "render/theme.h"
 
@@ -75,7 +76,7 @@ void draw_pace(Editor& editor, const Look& look) {
     return pace ? std::to_string(static_cast<int>(*pace)) + " a second" : std::string("Full speed");
   };
   ImGui::SetNextItemWidth(look.px(108));
-  if (ImGui::BeginCombo("##pace", words(editor.playback().pace()).c_str())) {
+  if (begin_combo("##pace", words(editor.playback().pace()))) {
     if (ImGui::Selectable("Full speed", !editor.playback().pace()))
       editor.playback().set_pace(std::nullopt);
     for (const int pace : kPaces)
@@ -96,10 +97,11 @@ void draw_scrubber(Editor& editor, const PanelContext& context, float width) {
   const std::string words =
       count == 0 ? "No iterations yet"
                  : "Iteration " + std::to_string(shown) + " of " + std::to_string(count);
+  const std::string fitting = elided(words, width - 2 * ImGui::GetStyle().FramePadding.x);
   ImGui::PushStyleColor(ImGuiCol_SliderGrab,
                         count > 1 ? ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab) : ImVec4{});
-  if (ImGui::SliderInt("##iteration", &shown, std::min(1, count), std::max(count, 1), words.c_str(),
-                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
+  if (ImGui::SliderInt("##iteration", &shown, std::min(1, count), std::max(count, 1),
+                       fitting.c_str(), ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
     editor.playback().scrub(static_cast<std::size_t>(std::max(shown, 1) - 1));
   ImGui::PopStyleColor();
   ImGui::EndDisabled();
@@ -117,9 +119,10 @@ void draw_race_scrubber(Editor& editor, const Look& look, float width) {
   int tick = static_cast<int>(race.tick());
   const std::string words =
       "Iteration " + std::to_string(tick) + " of " + std::to_string(furthest) + " in every lane";
+  const std::string fitting = elided(words, width - 2 * ImGui::GetStyle().FramePadding.x);
   ImGui::SetNextItemWidth(width);
   ImGui::BeginDisabled(furthest == 0);
-  if (ImGui::SliderInt("##tick", &tick, 0, std::max(furthest, 1), words.c_str(),
+  if (ImGui::SliderInt("##tick", &tick, 0, std::max(furthest, 1), fitting.c_str(),
                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
     race.scrub(static_cast<std::size_t>(std::max(tick, 0)));
   ImGui::EndDisabled();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/short_text.h"
 #include "app/gui/tooltips.h"
 
 namespace foldless {
@@ -186,6 +187,22 @@ void title_text(const char* words, const Look& look) {
   ImGui::TextUnformatted(words);
   ImGui::PopFont();
   ImGui::Dummy({0, look.px(2)});
+}
+
+void begin_rows(const ImVec2& size, const Look& look) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{ImGui::GetStyle().ItemSpacing.x, look.px(3)});
+  ImGui::BeginChild("rows", size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+}
+
+float rows_height(std::size_t rows, const Look& look) {
+  return ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(rows) + look.px(2);
+}
+
+bool begin_combo(const char* id, const std::string& choice, ImGuiComboFlags flags) {
+  const float room =
+      ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x;
+  return ImGui::BeginCombo(id, elided(choice, room).c_str(), flags);
 }
 
 void slider_line(double position, const Look& look) {

@@ -50,6 +50,15 @@ void end_dialog();
 /// A large heading.
 void title_text(const char* words, const Look& look);
 
+/// Begins a list whose rows ImGui highlights from edge to edge, with room round them. Always
+/// followed by ImGui::EndChild().
+void begin_rows(const ImVec2& size, const Look& look);
+/// The height that so many rows of text need in it.
+float rows_height(std::size_t rows, const Look& look);
+
+/// ImGui::BeginCombo() whose choice is shortened where it has no room.
+bool begin_combo(const char* id, const std::string& choice, ImGuiComboFlags flags = 0);
+
 /// Draws how far a slider stands, 0 … 1, as a line at the bottom of the last item, which leaves its
 /// number readable.
 void slider_line(double position, const Look& look);

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "app/editor/editor.h"
@@ -27,7 +29,7 @@ class HeadlessEditor {
   /// Framebuffer pixels in a window coordinate and a design pixel, as on a HiDPI desktop.
   void set_content_scale(float scale) { content_scale_ = scale; }
 
-  /// Draws until nothing is left to do but wait.
+  /// Draws until nothing is left to do but wait; the test fails if what was drawn then has defects.
   void settle();
   /// Draws until `done`, at most `seconds` of real time. False when it never was.
   bool wait_until(const std::function<bool()>& done, double seconds = 60);
@@ -56,6 +58,7 @@ class HeadlessEditor {
 
  private:
   void frame();
+  void expect_no_defects();
   void send(InputEvent event);
 
   Extent size_;
@@ -64,6 +67,7 @@ class HeadlessEditor {
   Ui ui_;
   float content_scale_ = 1;
   double time_ = 0;
+  std::set<std::string> known_defects_;  ///< each is said once
 };
 
 /// How many pixels of two pictures of one size differ.
