@@ -24,4 +24,6 @@ foreach(file Inter-Regular.otf Inter-SemiBold.otf)
 endforeach()
 add_font(fonts-dejavu-core DejaVuSans.ttf /usr/share/fonts/truetype/dejavu /usr/share/fonts/TTF
          /usr/share/fonts/dejavu)
+add_font(fonts-materialdesignicons-webfont materialdesignicons-webfont.ttf
+         /usr/share/fonts/truetype/materialdesignicons-webfont /usr/share/fonts/TTF)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/data/fonts DESTINATION ${CMAKE_INSTALL_DATADIR}/foldless)

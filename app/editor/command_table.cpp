@@ -178,6 +178,7 @@ std::vector<Command> handle_commands() {
       nudging("handle.right", "Nudge right", Key::right, [](Editor& e) { nudge(e, {1, 0}); }),
       nudging("handle.up", "Nudge up", Key::up, [](Editor& e) { nudge(e, {0, 1}); }),
       nudging("handle.down", "Nudge down", Key::down, [](Editor& e) { nudge(e, {0, -1}); }),
+      {"handle.move", "Handles", "Move handles", {{Key::v, kNone}}, has_mesh, [](Editor& e) { if (e.brush().is_on()) e.brush().toggle(); }, [](const Editor& e) { return !e.brush().is_on(); }},
       {"stiffness.paint", "Handles", "Paint stiffness", {{Key::b, kNone}}, has_mesh, call<&StiffnessBrush::toggle>, [](const Editor& e) { return e.brush().is_on(); }},
       {"stiffness.clear", "Handles", "Remove all stiffness", {}, [](const Editor& e) { return e.brush().can_clear(); }, call<&StiffnessBrush::clear>},
       {"handle.forward", "Handles", "Bring forward", {{Key::right_bracket, kNone}}, has_selection, bring_forward},

@@ -88,6 +88,7 @@ void Editor::use_race_lane(std::size_t index) {
   document.pose = adopted_pose(lane.shown(), *document.pose);
   document.handles = lane.shown()->handles;
   document.parameters = lane.parameters();
+  document.energy = &lane.energy();
   document.standing = {};
   document.standing.satisfied = lane.is_at_targets();
   if (lane.is_at_end()) {

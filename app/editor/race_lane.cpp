@@ -24,6 +24,7 @@ RaceLane::RaceLane(RaceEntry entry, const Document& start, std::function<void()>
       shown_(with_handles(start)),
       proof_(proof_of(*shown_)),
       worker_(std::move(wake), {.timeline_bytes = kTimelineBytes, .start = start_method}) {
+  start_.energy = entry_.energy;
   Problem problem = problem_of(start_);
   problem.parameters = entry_.parameters;
   worker_.load(std::move(problem));

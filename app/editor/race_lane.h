@@ -33,6 +33,7 @@ class RaceLane {
   /// The part of the title that other lanes do not have.
   const std::string& short_title() const { return entry_.short_title; }
   const Parameters& parameters() const { return entry_.parameters; }
+  const Density& energy() const { return *entry_.energy; }
   /// Every iteration so far.
   const std::vector<Iteration>& records() const { return records_; }
   bool has_ended() const;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/editor/edits.h"
+#include "core/energy/densities.h"
 #include "core/method/methods.h"
 
 namespace foldless {
@@ -46,6 +47,13 @@ std::string variant_of(std::string_view title) {
   return words;
 }
 
+/// The first energy that no lane has yet, or the first of all.
+const Density* unused_energy(const std::vector<const Density*>& used) {
+  for (const Density& density : densities())
+    if (std::ranges::find(used, &density) == used.end()) return &density;
+  return &densities().front();
+}
+
 /// The first method that no lane has yet, or the first of all.
 std::string unused_method(const std::vector<std::string>& used) {
   for (const MethodRow& row : methods())
@@ -60,6 +68,14 @@ RaceSetup method_race(const Document& document) {
   setup.methods.push_back(document.parameters.method);
   const std::size_t count = std::clamp(methods().size(), kFewestLanes, kMostLanes);
   while (setup.methods.size() < count) setup.methods.push_back(unused_method(setup.methods));
+  return setup;
+}
+
+RaceSetup energy_race(const Document& document) {
+  RaceSetup setup;
+  setup.energies.push_back(document.energy);
+  const std::size_t count = std::clamp(densities().size(), kFewestLanes, kMostLanes);
+  while (setup.energies.size() < count) setup.energies.push_back(unused_energy(setup.energies));
   return setup;
 }
 
@@ -79,6 +95,8 @@ RaceSetup with_lane(RaceSetup setup) {
   if (setup.lane_count() >= kMostLanes) return setup;
   if (setup.varied)
     setup.values.push_back(stepped(*setup.varied, setup.values.back(), 1));
+  else if (setup.varies_energy())
+    setup.energies.push_back(unused_energy(setup.energies));
   else
     setup.methods.push_back(unused_method(setup.methods));
   return setup;
@@ -88,6 +106,8 @@ RaceSetup without_lane(RaceSetup setup) {
   if (setup.lane_count() <= kFewestLanes) return setup;
   if (setup.varied)
     setup.values.pop_back();
+  else if (setup.varies_energy())
+    setup.energies.pop_back();
   else
     setup.methods.pop_back();
   return setup;
@@ -95,21 +115,19 @@ RaceSetup without_lane(RaceSetup setup) {
 
 std::vector<RaceEntry> entries_of(const RaceSetup& setup, const Document& document) {
   std::vector<RaceEntry> entries;
-  if (setup.varied) {
-    for (const double value : setup.values) {
-      RaceEntry entry{title_of(*setup.varied, value), value_of(*setup.varied, value),
-                      document.parameters};
-      setup.varied->set(entry.parameters, value);
-      entries.push_back(std::move(entry));
-    }
-    return entries;
-  }
+  const auto add = [&](std::string title, std::string short_title) -> RaceEntry& {
+    return entries.emplace_back(
+        RaceEntry{std::move(title), std::move(short_title), document.parameters, document.energy});
+  };
+  for (const double value : setup.values)
+    setup.varied->set(
+        add(title_of(*setup.varied, value), value_of(*setup.varied, value)).parameters, value);
+  for (const Density* energy : setup.energies)
+    add(std::string(energy->title), std::string(energy->title)).energy = energy;
   for (const std::string& name : setup.methods) {
     const MethodRow* method = find_method(name);
     const std::string title = method ? std::string(method->title) : name;
-    RaceEntry entry{title, variant_of(title), document.parameters};
-    entry.parameters.method = name;
-    entries.push_back(std::move(entry));
+    add(title, variant_of(title)).parameters.method = name;
   }
   return entries;
 }

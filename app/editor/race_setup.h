@@ -15,17 +15,23 @@ inline constexpr std::size_t kMostLanes = 4;
 
 /// What the lanes of a race differ in, and where they start. Everything else is the document's.
 struct RaceSetup {
-  const ParameterRow* varied = nullptr;  ///< null: the method
+  const ParameterRow* varied = nullptr;  ///< null: the method or the energy
   std::vector<std::string> methods;      ///< a lane each, names of methods(), when that is varied
+  std::vector<const Density*> energies;  ///< a lane each, when the energy is varied
   std::vector<double> values;            ///< a lane each, when a parameter is varied
   bool starts_at_rest = true;            ///< false: from the mesh as it is
 
-  std::size_t lane_count() const { return varied ? values.size() : methods.size(); }
+  bool varies_energy() const { return !energies.empty(); }
+  /// Only one of the three has lanes.
+  std::size_t lane_count() const { return methods.size() + energies.size() + values.size(); }
   bool operator==(const RaceSetup&) const = default;
 };
 
 /// The document's method and those that follow in methods(), at most four.
 RaceSetup method_race(const Document& document);
+
+/// The document's energy and those that follow in densities(), at most four.
+RaceSetup energy_race(const Document& document);
 
 /// Three values of a parameter: a logarithmic one in steps of ten, a switch on and off.
 RaceSetup parameter_race(const ParameterRow& row, const Document& document);
@@ -39,6 +45,7 @@ struct RaceEntry {
   std::string title;
   std::string short_title;  ///< what tells it from other lanes, for where there is little room
   Parameters parameters;
+  const Density* energy = nullptr;
 };
 std::vector<RaceEntry> entries_of(const RaceSetup& setup, const Document& document);
 

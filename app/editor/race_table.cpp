@@ -33,7 +33,7 @@ void append_row(std::string& text, const RaceLane& lane, const Document& documen
   const Iteration record = lane.record() ? *lane.record() : Iteration{};
   text += csv_field(lane.title()) + ',' + csv_field(document.name);
   append_numbers(text, {lane.proof().vertices, lane.proof().triangles});
-  text.append(",").append(document.energy->name).append(",").append(lane.parameters().method);
+  text.append(",").append(lane.energy().name).append(",").append(lane.parameters().method);
   append_numbers(
       text, {lane.parameters().delta, lane.parameters().eta, lane.proof().max_conformal_distortion,
              record.mean_conformal_distortion, record.handle_error_squared});
@@ -53,6 +53,21 @@ std::string_view convergence_letter(const RaceLane& lane) {
     case Outcome::step: return "S";
     default: return "M";
   }
+}
+
+std::vector<std::optional<int>> race_places(const Race& race) {
+  const auto& lanes = race.lanes();
+  const auto arrived = [](const RaceLane& lane) {
+    return lane.is_at_end() && lane.is_at_targets() && !lane.proof().folds() && lane.record();
+  };
+  std::vector<std::optional<int>> places(lanes.size());
+  for (std::size_t i = 0; i < lanes.size(); ++i)
+    if (arrived(*lanes[i]))
+      places[i] =
+          1 + static_cast<int>(std::ranges::count_if(lanes, [&](const auto& other) {
+            return arrived(*other) && other->record()->seconds < lanes[i]->record()->seconds;
+          }));
+  return places;
 }
 
 std::string race_table_csv(const Race& race) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/editor/race.h"
 
@@ -11,6 +13,10 @@ namespace foldless {
 /// The convergence information of the paper's Table 1: `G` gradient, `S` step, `M` not converged;
 /// `–` while the lane runs or when it failed.
 std::string_view convergence_letter(const RaceLane& lane);
+
+/// The place of each lane that is at its end with every handle at its target and a map that does
+/// not fold, by seconds of processor time; nothing for the others.
+std::vector<std::optional<int>> race_places(const Race& race);
 
 /// A row a lane, of the states that are shown: mesh and energy, method, δ, η, largest and mean
 /// conformal distortion, ‖P‖², convergence, H, U, seconds, flips, splits, inverted triangles.

@@ -108,6 +108,7 @@ void draw_description(const std::string& words, const PanelContext& context) {
   ImGui::SetNextWindowBgAlpha(0.85F);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette->popup);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(10), look.px(5)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2{1, 1});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(6));
   ImGui::Begin("##description", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -123,7 +124,7 @@ void draw_description(const std::string& words, const PanelContext& context) {
   tooltip("Close", look);
   ImGui::PopFont();
   ImGui::End();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
   ImGui::PopStyleColor();
 }
 

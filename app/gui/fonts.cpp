@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/gui/fallback_fonts.h"
+#include "app/gui/icons.h"
 #include "core/data_path.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
@@ -28,7 +29,8 @@ constexpr std::array<ImWchar, 7> kBorrowedGlyphs{0x2207, 0x2207, 0x25A0, 0x25FF,
 class AtlasBuilder {
  public:
   explicit AtlasBuilder(const std::set<char32_t>& more) {
-    for (const auto& file : {regular_, semi_bold_, borrowed_}) data_[file] = read_file(file);
+    for (const auto& file : {regular_, semi_bold_, borrowed_, icons_})
+      data_[file] = read_file(file);
     if (more.empty()) return;
     for (const FallbackFont& font : fonts_for(more, {regular_, borrowed_})) add_extra(font);
   }
@@ -39,6 +41,8 @@ class AtlasBuilder {
     fonts.bold = add(semi_bold_, std::round(14.5F * scale));
     fonts.small = add(regular_, std::round(12.5F * scale));
     fonts.title = add(semi_bold_, std::round(19.0F * scale));
+    fonts.icons = add({icons_, 0, icon_ranges().data()}, std::round(19.0F * scale));
+    fonts.small_icons = add({icons_, 0, icon_ranges().data()}, std::round(16.0F * scale));
     return fonts;
   }
 
@@ -92,6 +96,7 @@ class AtlasBuilder {
   std::filesystem::path regular_ = data_path("fonts/Inter-Regular.otf");
   std::filesystem::path semi_bold_ = data_path("fonts/Inter-SemiBold.otf");
   std::filesystem::path borrowed_ = data_path("fonts/DejaVuSans.ttf");
+  std::filesystem::path icons_ = data_path("fonts/materialdesignicons-webfont.ttf");
   std::vector<Extra> extras_;
   std::map<std::filesystem::path, std::string> data_;  ///< what the files hold
 };

@@ -14,6 +14,8 @@ struct Fonts {
   ImFont* bold = nullptr;   ///< section headings
   ImFont* small = nullptr;  ///< hints, axis numbers
   ImFont* title = nullptr;  ///< name of a dialog
+  ImFont* icons = nullptr;  ///< see icons.h; 19 design pixels
+  ImFont* small_icons = nullptr;
 };
 
 /// The characters of the interface's own words, which all of its fonts have: first and last of each

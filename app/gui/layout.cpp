@@ -10,6 +10,7 @@ namespace {
 constexpr float kMenuBar = 28;
 constexpr float kStatusBar = 25;
 constexpr float kTimeline = 40;
+constexpr float kStrip = 40;
 constexpr float kLeft = 228;
 constexpr float kRight = 284;
 constexpr float kNarrow = 860;  ///< design pixels under which one panel holds all sections
@@ -22,17 +23,19 @@ Layout layout_for(Extent framebuffer, float scale, SidePanels panels) {
   const auto px = [scale](float design) { return std::round(design * scale); };
   Layout layout;
   if (panels == SidePanels::two && width < px(kNarrow)) panels = SidePanels::one;
+  const float strip = panels != SidePanels::none ? px(kStrip) : 0;
   const float left = panels == SidePanels::two ? px(kLeft) : 0;
   const float right = panels != SidePanels::none ? std::min(px(kRight), std::round(width / 2)) : 0;
-  const float middle = width - left - right;
+  const float middle = width - strip - left - right;
   const float bottom = std::max(height - px(kStatusBar), px(kMenuBar));
   const float top = px(kMenuBar);
   const float canvas_bottom = std::max(bottom - px(kTimeline), top);
   layout.menu_bar = {0, 0, width, top};
-  layout.left = {0, top, left, bottom - top};
-  layout.right = {left + middle, top, right, bottom - top};
-  layout.canvas = {left, top, middle, canvas_bottom - top};
-  layout.timeline = {left, canvas_bottom, middle, bottom - canvas_bottom};
+  layout.strip = {0, top, strip, bottom - top};
+  layout.left = {strip, top, left, bottom - top};
+  layout.right = {strip + left + middle, top, right, bottom - top};
+  layout.canvas = {strip + left, top, middle, canvas_bottom - top};
+  layout.timeline = {strip + left, canvas_bottom, middle, bottom - canvas_bottom};
   layout.status_bar = {0, bottom, width, height - bottom};
   return layout;
 }

@@ -18,6 +18,7 @@ struct Rectangle {
 /// the line between two panes.
 struct Layout {
   Rectangle menu_bar;
+  Rectangle strip;  ///< of tools; without width where there are no panels
   Rectangle left;   ///< without width where there is one panel
   Rectangle right;  ///< without width where there is none
   Rectangle canvas;

@@ -18,6 +18,8 @@ struct PanelContext {
 // Each draws one part of the window inside an ImGui frame and changes the editor as the user asks.
 
 void draw_menu_bar(Editor& editor, const PanelContext& context);
+/// A narrow column of icons: what one does most.
+void draw_tool_strip(Editor& editor, const PanelContext& context);
 /// Both side panels with their sections, or the one of a narrow window.
 void draw_side_panels(Editor& editor, const PanelContext& context);
 /// Run, pause, step, stop, pace, and the scrubber over the iterations.

@@ -11,6 +11,7 @@
 #include "app/gui/short_text.h"
 #include "app/gui/view_pane.h"
 #include "app/gui/widgets.h"
+#include "core/energy/densities.h"
 #include "core/method/methods.h"
 
 namespace foldless {
@@ -41,16 +42,21 @@ bool begin_part(const char* id, const Rectangle& place, const Look& look) {
 }
 
 void draw_varied(Race& race, const Look& look) {
-  const ParameterRow* varied = race.setup().varied;
+  const RaceSetup& setup = race.setup();
+  const ParameterRow* varied = setup.varied;
+  const bool varies_method = !varied && !setup.varies_energy();
+  const char* present = varies_method ? "Methods" : "Energies";
   ImGui::SetNextItemWidth(look.px(190));
-  if (begin_combo("##varied", varied ? varied->title.data() : "Methods")) {
-    if (ImGui::Selectable("Methods", !varied)) race.set_setup(method_race(race.document()));
+  if (begin_combo("##varied", varied ? varied->title.data() : present)) {
+    if (ImGui::Selectable("Methods", varies_method)) race.set_setup(method_race(race.document()));
+    if (ImGui::Selectable("Energies", setup.varies_energy()))
+      race.set_setup(energy_race(race.document()));
     for (const ParameterRow& row : parameter_rows())
       if (ImGui::Selectable(row.title.data(), varied == &row))
         race.set_setup(parameter_race(row, race.document()));
     ImGui::EndCombo();
   }
-  tooltip("What the lanes differ in: the method, or one number of the solver.", look);
+  tooltip("What the lanes differ in: the method, the energy, or one number of the solver.", look);
 }
 
 void draw_lane_count(Race& race, const Look& look) {
@@ -112,20 +118,45 @@ void draw_setup(Editor& editor, const PanelContext& context, const Rectangle& pl
   ImGui::PopStyleColor();
 }
 
-void choose_method(Race& race, std::size_t lane, const RoomForChoice& room) {
-  const RaceSetup& setup = race.setup();
+void choose_method(Race& race, std::size_t lane) {
+  for (const MethodRow& row : methods())
+    if (ImGui::Selectable(row.title.data(), race.setup().methods[lane] == row.name)) {
+      RaceSetup changed = race.setup();
+      changed.methods[lane] = row.name;
+      return race.set_setup(changed);
+    }
+}
+
+void choose_energy(Race& race, std::size_t lane) {
+  for (const Density& density : densities())
+    if (ImGui::Selectable(density.title.data(), race.setup().energies[lane] == &density)) {
+      RaceSetup changed = race.setup();
+      changed.energies[lane] = &density;
+      return race.set_setup(changed);
+    }
+}
+
+/// What is no number is chosen from a list.
+void choose_from_list(Race& race, std::size_t lane, const RoomForChoice& room) {
   const float arrow = room.is_narrow ? 0 : ImGui::GetFrameHeight();
   const float words = room.width - arrow - 2 * ImGui::GetStyle().FramePadding.x;
-  if (!begin_combo("##method", lane_name(race, lane, words),
+  if (!begin_combo("##choice", lane_name(race, lane, words),
                    room.is_narrow ? ImGuiComboFlags_NoArrowButton : 0))
     return;
-  for (const MethodRow& row : methods())
-    if (ImGui::Selectable(row.title.data(), setup.methods[lane] == row.name)) {
-      RaceSetup changed = setup;
-      changed.methods[lane] = row.name;
-      race.set_setup(changed);
-    }
+  if (race.setup().varies_energy())
+    choose_energy(race, lane);
+  else
+    choose_method(race, lane);
   ImGui::EndCombo();
+}
+
+std::string choice_tip(const Race& race, std::size_t lane) {
+  if (const ParameterRow* varied = race.setup().varied)
+    return "The lane's value of “" + std::string(varied->title) +
+           "”. Enter starts all lanes again.";
+  return race.lanes()[lane]->title() + (race.setup().varies_energy()
+                                            ? ". Another energy starts all lanes again."
+                                            : ". Another method starts all lanes again.");
 }
 
 void choose_value(Race& race, std::size_t lane) {
@@ -165,12 +196,8 @@ void draw_choice(Editor& editor, std::size_t lane, const Look& look) {
   if (race.setup().varied)
     choose_value(race, lane);
   else
-    choose_method(race, lane, room);
-  tooltip(race.setup().varied
-              ? "The lane's value of “" + std::string(race.setup().varied->title) +
-                    "”. Enter starts all lanes again."
-              : race.lanes()[lane]->title() + ". Another method starts all lanes again.",
-          look);
+    choose_from_list(race, lane, room);
+  tooltip(choice_tip(race, lane), look);
 }
 
 /// True when the user wants what the lane shows.

@@ -32,10 +32,11 @@ void name_cell(const Race& race, std::size_t index, const Look& look) {
   tooltip(race.lanes()[index]->title(), look);
 }
 
-void draw_row(const Race& race, std::size_t index, const Look& look) {
+void draw_row(const Race& race, std::size_t index, std::optional<int> place, const Look& look) {
   const RaceLane& lane = *race.lanes()[index];
   const Iteration record = lane.record() ? *lane.record() : Iteration{};
   ImGui::TableNextRow();
+  text_cell(place ? std::to_string(*place) + "." : "–");
   name_cell(race, index, look);
   text_cell(short_number(lane.proof().max_conformal_distortion, 3) + " / " +
             short_number(record.mean_conformal_distortion, 3));
@@ -52,7 +53,8 @@ struct Column {
   const char* tip;
 };
 
-constexpr std::array<Column, 6> kColumns{{
+constexpr std::array<Column, 7> kColumns{{
+    {"", "Place: of the lanes that reached their targets without a fold, by processor time."},
     {"Lane", ""},
     {"M/A", "Largest and mean conformal distortion σ₁/σ₂."},
     {"‖P‖²", "Squared distance of the handles to their targets."},
@@ -64,7 +66,7 @@ constexpr std::array<Column, 6> kColumns{{
 void draw_column_titles(const Look& look) {
   // The numbers get the room that they need, the names what is left.
   for (const Column& column : kColumns)
-    ImGui::TableSetupColumn(column.title, &column == kColumns.data()
+    ImGui::TableSetupColumn(column.title, &column == &kColumns[1]
                                               ? ImGuiTableColumnFlags_WidthStretch
                                               : ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
@@ -91,7 +93,8 @@ void draw_table(Editor& editor, const Look& look) {
   if (ImGui::BeginTable("table", static_cast<int>(kColumns.size()),
                         ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_NoSavedSettings)) {
     draw_column_titles(look);
-    for (std::size_t i = 0; i < editor.race().lanes().size(); ++i) draw_row(editor.race(), i, look);
+    const auto places = race_places(editor.race());
+    for (std::size_t i = 0; i < places.size(); ++i) draw_row(editor.race(), i, places[i], look);
     ImGui::EndTable();
   }
   ImGui::PopFont();
@@ -144,7 +147,7 @@ void draw_race_results(Editor& editor, const PanelContext& context, const Rectan
                        ImGuiWindowFlags_NoBringToFrontOnFocus)) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     if (place.width > look.px(820)) {
-      const float plots = std::round(room.x * 0.58F);
+      const float plots = std::round(room.x - std::max(room.x * 0.42F, look.px(480)));
       ImGui::BeginChild("plots", {plots, 0});
       draw_plots(editor, look, ImGui::GetContentRegionAvail());
       ImGui::EndChild();

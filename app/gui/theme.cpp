@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/theme.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace foldless {
 namespace {
 
@@ -21,7 +24,7 @@ void set_surface_colours(ImGuiStyle& style, const Palette& p) {
   c[ImGuiCol_TitleBg] = p.bar;
   c[ImGuiCol_TitleBgActive] = p.bar;
   c[ImGuiCol_TitleBgCollapsed] = p.bar;
-  c[ImGuiCol_Border] = p.border;
+  c[ImGuiCol_Border] = p.outline;
   c[ImGuiCol_BorderShadow] = {0, 0, 0, 0};
   c[ImGuiCol_Separator] = p.border;
   c[ImGuiCol_SeparatorHovered] = p.border;
@@ -76,7 +79,7 @@ void set_metrics(ImGuiStyle& style) {
   style.ScrollbarRounding = 6;
   style.WindowBorderSize = 0;
   style.PopupBorderSize = 1;
-  style.FrameBorderSize = 0;
+  style.FrameBorderSize = 1;
   style.WindowTitleAlign = {0.0F, 0.5F};
   style.WindowMenuButtonPosition = ImGuiDir_None;
   style.DisabledAlpha = 0.45F;
@@ -85,65 +88,35 @@ void set_metrics(ImGuiStyle& style) {
 }  // namespace
 
 const Palette& dark_palette() {
-  static const Palette palette{rgb(0x1E2127),
-                               rgb(0x17191E),
-                               rgb(0x262A32),
-                               rgb(0x343944),
-                               rgb(0xE4E7EC),
-                               rgb(0x929AA8),
-                               rgb(0x2C313A),
-                               rgb(0x373D48),
-                               rgb(0x444C5A),
-                               rgb(0x5B9DFF),
-                               rgb(0x0B1220),
-                               rgb(0x4EC9B0),
-                               rgb(0x5B9DFF),
-                               rgb(0xF2A65A),
-                               rgb(0xFFD84D),
-                               rgb(0x1C1600),
-                               {rgb(0x5B9DFF), rgb(0xF2A65A), rgb(0x4EC9B0), rgb(0xE28BD6)}};
+  static const Palette palette{
+      rgb(0x1E2127), rgb(0x17191E), rgb(0x262A32),
+      rgb(0x343944), rgb(0x767E8C), rgb(0xE4E7EC),
+      rgb(0x929AA8), rgb(0x2C313A), rgb(0x373D48),
+      rgb(0x444C5A), rgb(0x5B9DFF), rgb(0x0B1220),
+      rgb(0x4EC9B0), rgb(0x5B9DFF), rgb(0xF2A65A),
+      rgb(0xFFD84D), rgb(0x1C1600), {rgb(0x5B9DFF), rgb(0xF2A65A), rgb(0x4EC9B0), rgb(0xE28BD6)}};
   return palette;
 }
 
 const Palette& light_palette() {
-  static const Palette palette{rgb(0xF6F7F9),
-                               rgb(0xE9ECF0),
-                               rgb(0xFFFFFF),
-                               rgb(0xD3D8DF),
-                               rgb(0x1D2229),
-                               rgb(0x636C7A),
-                               rgb(0xE3E7EC),
-                               rgb(0xD6DCE4),
-                               rgb(0xC5CDD8),
-                               rgb(0x1F6FEB),
-                               rgb(0xFFFFFF),
-                               rgb(0x0B7F6B),
-                               rgb(0x1F6FEB),
-                               rgb(0xB45309),
-                               rgb(0xFFD33D),
-                               rgb(0x1C1600),
-                               {rgb(0x1F6FEB), rgb(0xB45309), rgb(0x0B7F6B), rgb(0xA2329A)}};
+  static const Palette palette{
+      rgb(0xF6F7F9), rgb(0xE9ECF0), rgb(0xFFFFFF),
+      rgb(0xD3D8DF), rgb(0x858C98), rgb(0x1D2229),
+      rgb(0x636C7A), rgb(0xE3E7EC), rgb(0xD6DCE4),
+      rgb(0xC5CDD8), rgb(0x1F6FEB), rgb(0xFFFFFF),
+      rgb(0x0B7F6B), rgb(0x1F6FEB), rgb(0xB45309),
+      rgb(0xFFD33D), rgb(0x1C1600), {rgb(0x1F6FEB), rgb(0xB45309), rgb(0x0B7F6B), rgb(0xA2329A)}};
   return palette;
 }
 
 const Palette& contrast_palette() {
-  static const Palette palette{rgb(0x000000),
-                               rgb(0x000000),
-                               rgb(0x000000),
-                               rgb(0xFFFFFF),
-                               rgb(0xFFFFFF),
-                               rgb(0xE0E0E0),
-                               rgb(0x262626),
-                               rgb(0x404040),
-                               rgb(0x606060),
-                               rgb(0xFFD400),
-                               rgb(0x000000),
-                               rgb(0x5CFFE0),
-                               rgb(0xFFD400),
-                               rgb(0xFFA64D),
-                               rgb(0xFFFF00),
-                               rgb(0x000000),
-                               {rgb(0xFFD400), rgb(0x4DC3FF), rgb(0xFFFFFF), rgb(0xFF8AE0)}};
+  static const Palette palette{
+      rgb(0x000000), rgb(0x000000), rgb(0x000000),
+      rgb(0xFFFFFF), rgb(0xFFFFFF), rgb(0xFFFFFF),
+      rgb(0xE0E0E0), rgb(0x262626), rgb(0x404040),
+      rgb(0x606060), rgb(0xFFD400), rgb(0x000000),
+      rgb(0x5CFFE0), rgb(0xFFD400), rgb(0xFFA64D),
+      rgb(0xFFFF00), rgb(0x000000), {rgb(0xFFD400), rgb(0x4DC3FF), rgb(0xFFFFFF), rgb(0xFF8AE0)}};
   return palette;
 }
 
@@ -154,7 +127,9 @@ void apply_theme(const Palette& palette, float scale) {
   set_surface_colours(style, palette);
   set_control_colours(style, palette);
   style.ScaleAllSizes(scale);
-  style.PopupBorderSize = scale < 1 ? 1.0F : static_cast<float>(static_cast<int>(scale));
+  const float hairline = std::max(1.0F, std::floor(scale));
+  style.PopupBorderSize = hairline;
+  style.FrameBorderSize = hairline;
 }
 
 ImU32 packed(const ImVec4& colour, float opacity) {

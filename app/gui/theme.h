@@ -12,7 +12,9 @@ struct Palette {
   ImVec4 window;  ///< side panels
   ImVec4 bar;     ///< menu bar, status bar
   ImVec4 popup;
-  ImVec4 border;
+  ImVec4 border;  ///< between parts of the window
+  ImVec4
+      outline;  ///< of controls: three times as bright as what is round them, or more [WCAG 1.4.11]
   ImVec4 text;
   ImVec4 dim;     ///< secondary text: labels, units, shortcuts
   ImVec4 frame;   ///< input fields and idle buttons

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "app/editor/commands.h"
+#include "app/gui/command_button.h"
 #include "app/gui/panels.h"
 #include "app/gui/short_text.h"
 #include "app/gui/widgets.h"
@@ -12,15 +12,9 @@
 namespace foldless {
 namespace {
 
-/// A button for a row of the table of commands, greyed when the command is.
+/// One of a row.
 void command_icon(const char* name, Icon icon, Editor& editor, const Look& look) {
-  const Command* command = find_command(name);
-  if (!command) return;
-  const std::string key = shortcut_words(*command);
-  const std::string tip = std::string(command->title) + (key.empty() ? "" : " (" + key + ")");
-  ImGui::BeginDisabled(!is_available(*command, editor));
-  if (icon_button({name, icon, tip}, look)) editor.run_command(name);
-  ImGui::EndDisabled();
+  command_button(name, icon, editor, look);
   ImGui::SameLine();
 }
 

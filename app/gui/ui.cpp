@@ -262,6 +262,7 @@ void Ui::draw_panels(Editor& editor) {
     draw_stuck_card(editor, context);
   }
   draw_menu_bar(editor, context);
+  draw_tool_strip(editor, context);
   draw_side_panels(editor, context);
   draw_timeline_panel(editor, context);
   draw_status_bar(editor, context);

@@ -8,90 +8,22 @@
 #include "app/gui/tooltips.h"
 
 namespace foldless {
-namespace {
-
-/// Draws in a unit square, y down.
-struct IconBrush {
-  ImDrawList& list;
-  ImVec2 corner;
-  float size;
-  ImU32 colour;
-
-  ImVec2 at(float x, float y) const { return {corner.x + x * size, corner.y + y * size}; }
-  void right_triangle(float x0, float x1) const {
-    list.AddTriangleFilled(at(x0, 0.1F), at(x0, 0.9F), at(x1, 0.5F), colour);
-  }
-  void left_triangle(float x0, float x1) const {
-    list.AddTriangleFilled(at(x1, 0.1F), at(x1, 0.9F), at(x0, 0.5F), colour);
-  }
-  void bar(float x0, float x1) const { list.AddRectFilled(at(x0, 0.1F), at(x1, 0.9F), colour); }
-};
-
-/// An arc that goes back on itself, with an arrow head.
-void draw_reset(const IconBrush& b) {
-  const float thickness = std::max(1.5F, b.size * 0.13F);
-  b.list.PathArcTo(b.at(0.5F, 0.54F), b.size * 0.36F, -2.4F, 2.6F);
-  b.list.PathStroke(b.colour, 0, thickness);
-  b.list.AddTriangleFilled(b.at(0.02F, 0.42F), b.at(0.46F, 0.4F), b.at(0.14F, 0.06F), b.colour);
-}
-
-void draw_up(const IconBrush& b) {
-  const float thickness = std::max(1.5F, b.size * 0.13F);
-  b.list.AddLine(b.at(0.5F, 0.12F), b.at(0.5F, 0.9F), b.colour, thickness);
-  b.list.AddLine(b.at(0.5F, 0.12F), b.at(0.16F, 0.46F), b.colour, thickness);
-  b.list.AddLine(b.at(0.5F, 0.12F), b.at(0.84F, 0.46F), b.colour, thickness);
-}
-
-void draw_icon(const IconBrush& b, Icon icon) {
-  switch (icon) {
-    case Icon::play: b.right_triangle(0.18F, 0.92F); break;
-    case Icon::pause:
-      b.bar(0.16F, 0.4F);
-      b.bar(0.6F, 0.84F);
-      break;
-    case Icon::step:
-      b.bar(0.1F, 0.26F);
-      b.right_triangle(0.36F, 0.94F);
-      break;
-    case Icon::stop: b.list.AddRectFilled(b.at(0.14F, 0.14F), b.at(0.86F, 0.86F), b.colour); break;
-    case Icon::first:
-      b.bar(0.1F, 0.24F);
-      b.left_triangle(0.26F, 0.88F);
-      break;
-    case Icon::back: b.left_triangle(0.14F, 0.8F); break;
-    case Icon::last:
-      b.right_triangle(0.12F, 0.74F);
-      b.bar(0.76F, 0.9F);
-      break;
-    case Icon::up: draw_up(b); break;
-    case Icon::reset: draw_reset(b); break;
-    case Icon::film:
-      b.list.AddRect(b.at(0.06F, 0.14F), b.at(0.94F, 0.86F), b.colour, 0, 0, b.size * 0.12F);
-      b.right_triangle(0.36F, 0.72F);
-      break;
-  }
-}
-
-}  // namespace
-
 bool icon_button(const IconButton& button, const Look& look) {
   const float side = ImGui::GetFrameHeight();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (button.is_main) {
-    ImGui::PushStyleColor(ImGuiCol_Button, look.palette->accent);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, look.palette->accent);
-  }
+  const Palette& p = *look.palette;
+  const ImVec4 chosen{p.accent.x, p.accent.y, p.accent.z, 0.2F}, nothing{0, 0, 0, 0};
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
+  ImGui::PushStyleColor(ImGuiCol_Button,
+                        button.is_main ? p.accent : (button.is_chosen ? chosen : nothing));
+  if (button.is_main) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, p.accent);
   ImGui::PushID(button.id);
   const bool pressed = ImGui::Button("##icon", {side, side});
   ImGui::PopID();
-  if (button.is_main) ImGui::PopStyleColor(2);
-  const float margin = std::round(side * 0.28F);
-  const ImVec4& colour = button.is_main ? look.palette->on_accent : look.palette->text;
-  draw_icon({*ImGui::GetWindowDrawList(),
-             {corner.x + margin, corner.y + margin},
-             side - 2 * margin,
-             packed(colour, ImGui::GetStyle().Alpha)},
-            button.icon);
+  ImGui::PopStyleColor(button.is_main ? 2 : 1);
+  ImGui::PopStyleVar();
+  const ImVec4& colour = button.is_main ? p.on_accent : (button.is_chosen ? p.accent : p.text);
+  draw_icon(button.icon, corner, side, packed(colour, ImGui::GetStyle().Alpha), look);
   tooltip(button.tip, look);
   return pressed;
 }
@@ -190,7 +122,8 @@ void title_text(const char* words, const Look& look) {
 }
 
 void begin_rows(const ImVec2& size, const Look& look) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{ImGui::GetStyle().ItemSpacing.x, look.px(3)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      ImVec2{ImGui::GetStyle().ItemSpacing.x, look.px(3)});
   ImGui::BeginChild("rows", size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
 }

@@ -6,19 +6,18 @@
 #include <optional>
 #include <string>
 
+#include "app/gui/icons.h"
 #include "app/gui/look.h"
 
 namespace foldless {
-
-/// Pictures drawn with lines, so that they need no icon font and are sharp at every scale.
-enum class Icon { play, pause, step, stop, first, back, last, up, reset, film };
 
 /// A square button with a picture.
 struct IconButton {
   const char* id;
   Icon icon;
-  std::string tip;       ///< the tooltip
-  bool is_main = false;  ///< filled with the accent colour
+  std::string tip;         ///< the tooltip
+  bool is_main = false;    ///< the one that people look for; filled
+  bool is_chosen = false;  ///< a switch that is on, a tool that is in the hand; tinted
 };
 
 /// Draws it; true when it is pressed.

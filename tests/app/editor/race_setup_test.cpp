@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+
+#include "core/energy/densities.h"
 
 namespace foldless {
 namespace {
@@ -42,6 +45,25 @@ TEST(RaceSetup, MethodsDifferAsLongAsThereAreEnough) {
   const RaceSetup setup = method_race(document);
   EXPECT_EQ(setup.methods.front(), document.parameters.method);
   EXPECT_EQ(std::ranges::count(setup.methods, setup.methods.back()), 1);
+}
+
+TEST(RaceSetup, EnergiesDifferAndBeginWithTheDocuments) {
+  Document document = empty_document();
+  document.energy = &densities()[1];
+  RaceSetup setup = energy_race(document);
+  ASSERT_EQ(setup.lane_count(), kMostLanes);
+  EXPECT_EQ(setup.energies.front(), document.energy);
+  EXPECT_EQ(std::set(setup.energies.begin(), setup.energies.end()).size(), kMostLanes);
+  const auto entries = entries_of(setup, document);
+  ASSERT_EQ(entries.size(), kMostLanes);
+  for (std::size_t i = 0; i < kMostLanes; ++i) {
+    EXPECT_EQ(entries[i].energy, setup.energies[i]);
+    EXPECT_EQ(entries[i].title, setup.energies[i]->title);
+    EXPECT_EQ(entries[i].parameters.method, document.parameters.method);
+  }
+  for (int i = 0; i < 4; ++i) setup = without_lane(setup);
+  EXPECT_EQ(setup.lane_count(), kFewestLanes);
+  EXPECT_EQ(with_lane(setup).energies.size(), kFewestLanes + 1);
 }
 
 TEST(RaceSetup, ASwitchHasWords) {

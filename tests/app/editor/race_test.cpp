@@ -182,6 +182,36 @@ TEST_F(RaceTest, OpeningADocumentClosesIt) {
   EXPECT_FALSE(race().is_open());
 }
 
+TEST_F(RaceTest, OverEnergiesEachLaneMinimisesItsOwn) {
+  open_parameter_race();
+  race().set_setup(energy_race(race().document()));
+  finish();
+  std::set<double> energies;
+  for (std::size_t i = 0; i < race().lanes().size(); ++i) {
+    const RaceLane& lane = *race().lanes()[i];
+    EXPECT_EQ(&lane.energy(), race().setup().energies[i]);
+    ASSERT_NE(lane.record(), nullptr);
+    energies.insert(lane.record()->energy);
+    EXPECT_EQ(race().lanes()[i]->title(), lane.energy().title);
+  }
+  EXPECT_EQ(energies.size(), race().lanes().size());
+}
+
+TEST_F(RaceTest, PlacesAreOfThoseThatArrivedByTheirTime) {
+  open_parameter_race();
+  for (const auto& place : race_places(race())) EXPECT_FALSE(place) << "before the end";
+  finish();
+  const auto places = race_places(race());
+  ASSERT_EQ(places.size(), race().lanes().size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      ASSERT_TRUE(places[i] && places[k]);
+      if (*places[i] >= *places[k]) continue;
+      EXPECT_LT(race().lanes()[i]->record()->seconds, race().lanes()[k]->record()->seconds);
+    }
+  EXPECT_NE(std::ranges::find(places, std::optional(1)), places.end());
+}
+
 TEST_F(RaceTest, TableAndRecordsAreComplete) {
   open_parameter_race();
   finish();
