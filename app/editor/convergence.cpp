@@ -46,6 +46,13 @@ int remeshed_edges(const std::vector<Iteration>& iterations, std::size_t index) 
                           growth<&Iteration::splits>(iterations, index));
 }
 
+std::vector<double> times_of(const std::vector<Iteration>& iterations, std::size_t count) {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < std::min(count, iterations.size()); ++i)
+    times.push_back(iterations[i].seconds);
+  return times;
+}
+
 std::vector<double> values_of(const ConvergenceSeries& series,
                               const std::vector<Iteration>& iterations, std::size_t count) {
   std::vector<double> values(std::min(count, iterations.size()));

@@ -25,6 +25,9 @@ std::span<const ConvergenceSeries> convergence_series();
 /// How many edges an iteration flipped or split.
 int remeshed_edges(const std::vector<Iteration>& iterations, std::size_t index);
 
+/// Seconds of processor time from the start to the end of each of the first `count` iterations.
+std::vector<double> times_of(const std::vector<Iteration>& iterations, std::size_t count);
+
 /// The values of the first `count` iterations.
 std::vector<double> values_of(const ConvergenceSeries& series,
                               const std::vector<Iteration>& iterations, std::size_t count);

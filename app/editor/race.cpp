@@ -72,6 +72,8 @@ bool Race::update(double now) {
   }
   furthest_ = std::max(furthest_, tick_);
   for (const auto& lane : lanes_) lane->show(tick_);
+  // What grew beyond the targets is seen whole in the end.
+  if (tick_ != before && is_fitted_ && is_finished()) fit();
   return is_new || tick_ != before;
 }
 
@@ -147,6 +149,7 @@ void Race::fit() {
     for (const auto& p : lane->shown()->deformed.colwise()) extend(p);
   for (const Handle& handle : document_->handles) extend(handle.target);
   canvas_.camera = fit_to_box(box, canvas_.size(), kMargin * canvas_.ui_scale);
+  is_fitted_ = true;
 }
 
 }  // namespace foldless

@@ -65,7 +65,10 @@ class Race {
   const Canvas& canvas() const { return canvas_; }
   /// Size of a lane in framebuffer pixels.
   void resize(int width, int height, double ui_scale);
-  void set_camera(const Camera& camera) { canvas_.camera = camera; }
+  void set_camera(const Camera& camera) {
+    canvas_.camera = camera;
+    is_fitted_ = false;
+  }
   /// Shows what is on the lanes, and the targets.
   void fit();
 
@@ -86,6 +89,7 @@ class Race {
   double next_tick_ = 0;  ///< not before this time [s]
   Canvas canvas_;
   bool needs_fit_ = true;
+  bool is_fitted_ = false;  ///< nobody has moved the view since fit()
 };
 
 }  // namespace foldless

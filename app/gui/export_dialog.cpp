@@ -50,7 +50,7 @@ void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
   if (std::exchange(opens_now_, false)) ImGui::OpenPopup("##export");
   if (!begin_dialog("##export", look, ImVec2{480, 380})) return;
   title_text("Export", look);
-  ImGui::BeginChild("options", {0, -ImGui::GetFrameHeightWithSpacing()});
+  begin_options({0, -ImGui::GetFrameHeightWithSpacing()}, look);
   draw_options(editor, look);
   ImGui::EndChild();
   const DialogKeys keys = dialog_keys();

@@ -13,7 +13,7 @@ constexpr float kTimeline = 40;
 constexpr float kStrip = 40;
 constexpr float kLeft = 228;
 constexpr float kRight = 284;
-constexpr float kNarrow = 860;  ///< design pixels under which one panel holds all sections
+constexpr float kNarrow = 960;  ///< design pixels under which one panel holds all sections
 
 }  // namespace
 

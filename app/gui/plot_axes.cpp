@@ -22,6 +22,27 @@ std::string tick_words(double value) {
   return text.data();
 }
 
+void append_round_ticks(std::vector<PlotTick>& ticks, double low, double high, double step) {
+  for (double k = std::ceil(low / step); k * step <= high * (1 + 1e-9); ++k)
+    ticks.push_back({k * step, tick_words(k * step)});
+}
+
+/// What of the positions is seen.
+void fit_positions(PlotAxes& axes, const Plot& plot) {
+  double first = INFINITY, last = -INFINITY;
+  for (const PlotCurve& curve : plot.curves) {
+    if (curve.values.empty()) continue;
+    first = std::min(first, curve.position(0));
+    last = std::max(last, curve.position(curve.values.size() - 1));
+    axes.has_whole_positions = curve.positions.empty();
+  }
+  if (first > last) return;
+  if (first == last) last = axes.has_whole_positions ? first + 1 : std::max(2 * first, 1e-9);
+  const PlotZoom zoom = plot.zoom ? *plot.zoom : PlotZoom{};
+  axes.first = first + zoom.first * (last - first);
+  axes.last = first + zoom.last * (last - first);
+}
+
 /// The decades of what is positive; zeros, which have none, are drawn one decade lower.
 void fit_decades(PlotAxes& axes, const Plot& plot) {
   std::vector<double> ends;
@@ -49,9 +70,8 @@ void fit_range(PlotAxes& axes, const Plot& plot) {
 
 }  // namespace
 
-float PlotAxes::x(std::size_t index) const {
-  const double last = static_cast<double>(std::max<std::size_t>(count, 2) - 1);
-  return min.x + static_cast<float>(static_cast<double>(index) / last) * (max.x - min.x);
+float PlotAxes::x(double position) const {
+  return min.x + static_cast<float>((position - first) / (last - first)) * (max.x - min.x);
 }
 
 float PlotAxes::y(double value) const {
@@ -64,10 +84,9 @@ bool PlotAxes::is_drawable(double value) const {
   return std::isfinite(value) && (!is_logarithmic || value > 0 || (has_zero && value == 0));
 }
 
-std::size_t PlotAxes::index_at(float x) const {
-  const float place = (x - min.x) / std::max(1.0F, max.x - min.x);
-  return static_cast<std::size_t>(
-      std::lround(std::clamp(place, 0.0F, 1.0F) * static_cast<float>(count - 1)));
+double PlotAxes::position_at(float x) const {
+  const double place = (x - min.x) / std::max(1.0F, max.x - min.x);
+  return first + std::clamp(place, 0.0, 1.0) * (last - first);
 }
 
 std::vector<PlotTick> PlotAxes::ticks(float distance) const {
@@ -76,15 +95,40 @@ std::vector<PlotTick> PlotAxes::ticks(float distance) const {
   if (is_logarithmic) {
     const int stride = static_cast<int>(std::ceil((high - low) / fit));
     if (has_zero) ticks.push_back({0, "0"});
-    const int first = static_cast<int>(low) + (has_zero ? stride : 0);
-    for (int e = first; e <= static_cast<int>(high); e += stride)
+    const int lowest = static_cast<int>(low) + (has_zero ? stride : 0);
+    for (int e = lowest; e <= static_cast<int>(high); e += stride)
       ticks.push_back({std::pow(10.0, e), power_of_ten(e)});
     return ticks;
   }
-  const double step = round_step((high - low) / fit);
-  for (double k = std::ceil(low / step); k * step <= high * (1 + 1e-9); ++k)
-    ticks.push_back({k * step, tick_words(k * step)});
+  append_round_ticks(ticks, low, high, round_step((high - low) / fit));
   return ticks;
+}
+
+std::vector<PlotTick> PlotAxes::position_ticks(float distance) const {
+  const double fit = std::max(1.0, std::floor(static_cast<double>((max.x - min.x) / distance)));
+  double step = round_step((last - first) / fit);
+  if (has_whole_positions) step = std::max(1.0, step);
+  std::vector<PlotTick> ticks;
+  append_round_ticks(ticks, first, last, step);
+  return ticks;
+}
+
+std::size_t index_near(const Plot& plot, double position) {
+  const PlotCurve& curve = *std::ranges::max_element(
+      plot.curves, {}, [](const PlotCurve& c) { return c.values.size(); });
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < curve.values.size(); ++i)
+    if (std::abs(curve.position(i) - position) < std::abs(curve.position(nearest) - position))
+      nearest = i;
+  return nearest;
+}
+
+PlotZoom zoomed(const PlotZoom& zoom, double place, double factor) {
+  constexpr double kLeast = 1e-4;
+  const double length = std::clamp((zoom.last - zoom.first) * factor, kLeast, 1.0);
+  const double fixed = zoom.first + place * (zoom.last - zoom.first);
+  const double first = std::clamp(fixed - place * length, 0.0, 1 - length);
+  return {first, first + length};
 }
 
 PlotAxes axes_of(const Plot& plot, const ImVec2& corner) {
@@ -92,9 +136,10 @@ PlotAxes axes_of(const Plot& plot, const ImVec2& corner) {
   PlotAxes axes;
   axes.min = {corner.x + line_height * 2.6F, corner.y + line_height * 1.6F};
   axes.max = {corner.x + plot.size.x - line_height * 0.4F,
-              corner.y + plot.size.y - line_height * 0.4F};
+              corner.y + plot.size.y - line_height * 1.5F};
   axes.is_logarithmic = plot.is_logarithmic;
   for (const PlotCurve& curve : plot.curves) axes.count = std::max(axes.count, curve.values.size());
+  fit_positions(axes, plot);
   if (plot.is_logarithmic)
     fit_decades(axes, plot);
   else

@@ -15,10 +15,16 @@ void draw_controls(Editor& editor, const PanelContext& context) {
   const auto series = convergence_series();
   auto& shown = context.state.shown_series;
   if (ImGui::Button("Curves…")) ImGui::OpenPopup("##curves");
-  tooltip("Which quantities are plotted over the iterations.", context.look);
+  tooltip(
+      "Which quantities are plotted, and over what. On a plot Ctrl and the wheel zoom, a double "
+      "click "
+      "shows all.",
+      context.look);
   if (ImGui::BeginPopup("##curves")) {
     for (std::size_t i = 0; i < series.size(); ++i)
       ImGui::Checkbox(series[i].title.data(), &shown[i]);
+    ImGui::Separator();
+    ImGui::Checkbox("Over processor time", &context.state.has_time_axis);
     ImGui::EndPopup();
   }
   ImGui::BeginDisabled(editor.playback().iterations().empty());
@@ -39,17 +45,20 @@ void draw_plots_panel(Editor& editor, const PanelContext& context) {
   draw_controls(editor, context);
   for (std::size_t i = 0; i < series.size(); ++i) {
     if (!context.state.shown_series[i]) continue;
-    const std::array curves{PlotCurve{
-        std::string(series[i].title),
-        values_of(series[i], editor.playback().iterations(), editor.playback().iterations().size()),
-        look.palette->series[i % look.palette->series.size()]}};
-    const auto chosen = draw_plot({series[i].name.data(),
-                                   series[i].title.data(),
-                                   curves,
-                                   series[i].is_logarithmic,
-                                   editor.playback().scrubbed(),
-                                   {ImGui::GetContentRegionAvail().x, look.px(72)},
-                                   look.fonts.small},
+    const auto& iterations = editor.playback().iterations();
+    std::array curves{PlotCurve{std::string(series[i].title),
+                                values_of(series[i], iterations, iterations.size()),
+                                look.palette->series[i % look.palette->series.size()]}};
+    if (context.state.has_time_axis) curves[0].positions = times_of(iterations, iterations.size());
+    const auto chosen = draw_plot({.id = series[i].name.data(),
+                                   .title = series[i].title.data(),
+                                   .curves = curves,
+                                   .is_logarithmic = series[i].is_logarithmic,
+                                   .cursor = editor.playback().scrubbed(),
+                                   .size = {ImGui::GetContentRegionAvail().x, look.px(86)},
+                                   .font = look.fonts.small,
+                                   .zoom = &context.state.plot_zoom,
+                                   .unit = context.state.has_time_axis ? " s" : ""},
                                   *look.palette);
     if (chosen && editor.playback().can_scrub()) editor.playback().scrub(*chosen);
   }

@@ -77,7 +77,8 @@ void draw_column_titles(const Look& look) {
   }
 }
 
-void draw_exports(Editor& editor, const Look& look) {
+void draw_exports(Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
   if (ImGui::Button("Table CSV…")) editor.run_command("file.export_table");
   tooltip("Writes this table to a file, as the paper's Table 1.", look);
   ImGui::SameLine();
@@ -86,9 +87,13 @@ void draw_exports(Editor& editor, const Look& look) {
   ImGui::SameLine();
   if (ImGui::Button("SVG…")) editor.run_command("file.export_svg");
   tooltip("Draws the curves into a file, as the paper's Figure 13.", look);
+  ImGui::SameLine();
+  ImGui::Checkbox("Over time", &context.state.has_time_axis);
+  tooltip("Plots over seconds of processor time in place of iterations.", look);
 }
 
-void draw_table(Editor& editor, const Look& look) {
+void draw_table(Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
   ImGui::PushFont(look.fonts.small);
   if (ImGui::BeginTable("table", static_cast<int>(kColumns.size()),
                         ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_NoSavedSettings)) {
@@ -99,27 +104,38 @@ void draw_table(Editor& editor, const Look& look) {
   }
   ImGui::PopFont();
   ImGui::Spacing();
-  draw_exports(editor, look);
+  draw_exports(editor, context);
 }
 
-void draw_one_plot(const ConvergenceSeries& series, Editor& editor, const Look& look,
+void draw_one_plot(const ConvergenceSeries& series, Editor& editor, const PanelContext& context,
                    const ImVec2& size) {
+  const Look& look = context.look;
   Race& race = editor.race();
   std::vector<PlotCurve> curves;
   for (std::size_t i = 0; i < race.lanes().size(); ++i) {
     curves.push_back(curve_of_lane(race, i, *look.palette));
     curves.back().values = values_of(series, race.lanes()[i]->records(), race.furthest());
+    if (context.state.has_time_axis)
+      curves.back().positions = times_of(race.lanes()[i]->records(), race.furthest());
   }
   std::optional<std::size_t> cursor;
   if (race.tick() > 0) cursor = race.tick() - 1;
-  const auto chosen = draw_plot({series.name.data(), series.title.data(), curves,
-                                 series.is_logarithmic, cursor, size, look.fonts.small},
+  const auto chosen = draw_plot({.id = series.name.data(),
+                                 .title = series.title.data(),
+                                 .curves = curves,
+                                 .is_logarithmic = series.is_logarithmic,
+                                 .cursor = cursor,
+                                 .size = size,
+                                 .font = look.fonts.small,
+                                 .zoom = &context.state.plot_zoom,
+                                 .unit = context.state.has_time_axis ? " s" : ""},
                                 *look.palette);
   if (chosen) race.scrub(*chosen + 1);
 }
 
 /// Four plots, two a row where they have room.
-void draw_plots(Editor& editor, const Look& look, const ImVec2& room) {
+void draw_plots(Editor& editor, const PanelContext& context, const ImVec2& room) {
+  const Look& look = context.look;
   static constexpr std::array<std::string_view, 4> kShown{"energy", "gradient", "residual",
                                                           "distortion"};
   const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -129,7 +145,7 @@ void draw_plots(Editor& editor, const Look& look, const ImVec2& room) {
   for (const ConvergenceSeries& series : convergence_series()) {
     if (std::ranges::find(kShown, series.name) == kShown.end()) continue;
     if (drawn++ % 2 == 1) ImGui::SameLine();
-    draw_one_plot(series, editor, look, size);
+    draw_one_plot(series, editor, context, size);
   }
 }
 
@@ -149,15 +165,15 @@ void draw_race_results(Editor& editor, const PanelContext& context, const Rectan
     if (place.width > look.px(820)) {
       const float plots = std::round(room.x - std::max(room.x * 0.42F, look.px(480)));
       ImGui::BeginChild("plots", {plots, 0});
-      draw_plots(editor, look, ImGui::GetContentRegionAvail());
+      draw_plots(editor, context, ImGui::GetContentRegionAvail());
       ImGui::EndChild();
       ImGui::SameLine(0, look.px(16));
       ImGui::BeginChild("table");
-      draw_table(editor, look);
+      draw_table(editor, context);
       ImGui::EndChild();
     } else {
-      draw_table(editor, look);
-      draw_plots(editor, look, {room.x, 0});
+      draw_table(editor, context);
+      draw_plots(editor, context, {room.x, 0});
     }
   }
   ImGui::End();

@@ -101,8 +101,8 @@ const Palette& dark_palette() {
 const Palette& light_palette() {
   static const Palette palette{
       rgb(0xF6F7F9), rgb(0xE9ECF0), rgb(0xFFFFFF),
-      rgb(0xD3D8DF), rgb(0x858C98), rgb(0x1D2229),
-      rgb(0x636C7A), rgb(0xE3E7EC), rgb(0xD6DCE4),
+      rgb(0xD3D8DF), rgb(0x7A818E), rgb(0x1D2229),
+      rgb(0x5D6674), rgb(0xE3E7EC), rgb(0xD6DCE4),
       rgb(0xC5CDD8), rgb(0x1F6FEB), rgb(0xFFFFFF),
       rgb(0x0B7F6B), rgb(0x1F6FEB), rgb(0xB45309),
       rgb(0xFFD33D), rgb(0x1C1600), {rgb(0x1F6FEB), rgb(0xB45309), rgb(0x0B7F6B), rgb(0xA2329A)}};

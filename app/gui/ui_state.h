@@ -11,6 +11,7 @@
 #include "app/gui/command_search.h"
 #include "app/gui/export_dialog.h"
 #include "app/gui/file_browser.h"
+#include "app/gui/plot.h"
 #include "app/gui/samples.h"
 #include "app/gui/settings.h"
 #include "render/distortion.h"
@@ -32,10 +33,12 @@ struct UiState {
   std::string closed_description;  ///< of a scene: it is not shown again
   /// Which of convergence_series() the plots panel draws.
   std::array<bool, 8> shown_series{true, true, true};
-  std::filesystem::path last_folder;    ///< where the last file was opened or saved
-  Modifiers modifiers;                  ///< held now
-  std::optional<Vec2> pointer;          ///< on the canvas, framebuffer pixels
-  std::string handle_search;            ///< in the list of handles
+  PlotZoom plot_zoom;                 ///< of all plots
+  bool has_time_axis = false;         ///< plots over seconds of processor time, not over iterations
+  std::filesystem::path last_folder;  ///< where the last file was opened or saved
+  Modifiers modifiers;                ///< held now
+  std::optional<Vec2> pointer;        ///< on the canvas, framebuffer pixels
+  std::string handle_search;          ///< in the list of handles
   std::optional<HeatRange> heat_range;  ///< of the heat map on screen
   std::optional<double> hovered_heat;   ///< its value under the pointer
 };

@@ -121,6 +121,12 @@ void title_text(const char* words, const Look& look) {
   ImGui::Dummy({0, look.px(2)});
 }
 
+void begin_options(const ImVec2& size, const Look& look) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(4), look.px(2)});
+  ImGui::BeginChild("options", size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+}
+
 void begin_rows(const ImVec2& size, const Look& look) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       ImVec2{ImGui::GetStyle().ItemSpacing.x, look.px(3)});

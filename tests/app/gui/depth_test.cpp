@@ -83,7 +83,7 @@ TEST_F(Depth, TheFieldOfTheSelectedHandlesTakesANumberWithEnter) {
   headless_.settle();
   // The last field of the inspector.
   for (double y = 455; y < 490 && depth(0) != 2.5; y += 10) {
-    headless_.click({100, y});
+    headless_.click({140, y});
     headless_.key(Key::a, {.control = true});
     headless_.type("2.5");
     headless_.key(Key::enter);

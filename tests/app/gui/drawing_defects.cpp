@@ -101,6 +101,7 @@ class WindowReader {
   }
 
   void read(const ImDrawCmd& command) {
+    words_before_ = words_.size();
     const Extents clip{{command.ClipRect.x, command.ClipRect.y},
                        {command.ClipRect.z, command.ClipRect.w}};
     if (clip.is_empty()) return;
@@ -134,11 +135,10 @@ class WindowReader {
     const Extents quad{a.pos, c.pos};
     const Extents seen = intersection(quad, clip);
     if (seen.is_empty()) {
-      if (!words_.empty() && is_beside(words_.back(), quad, a.col) && is_cut(quad, clip))
-        words_.back().is_cut = true;
+      if (goes_on(quad, a.col) && is_cut(quad, clip)) words_.back().is_cut = true;
       return true;
     }
-    if (words_.empty() || !is_beside(words_.back(), quad, a.col))
+    if (!goes_on(quad, a.col))
       words_.push_back({.text = {}, .colour = a.col, .whole = {}, .seen = {}, .is_cut = false});
     Words& words = words_.back();
     append_utf8(words.text, glyph->Codepoint);
@@ -148,8 +148,10 @@ class WindowReader {
     return true;
   }
 
-  /// The next character of the same line.
-  static bool is_beside(const Words& words, const Extents& quad, ImU32 colour) {
+  /// The next character of the same line, which one command draws.
+  bool goes_on(const Extents& quad, ImU32 colour) const {
+    if (words_.size() == words_before_) return false;
+    const Words& words = words_.back();
     const float height = std::max(8.0F, words.whole.high.y - words.whole.low.y);
     return words.colour == colour && quad.low.x > words.whole.high.x - 3 &&
            quad.low.x < words.whole.high.x + height && quad.low.y < words.whole.high.y + height &&
@@ -206,6 +208,7 @@ class WindowReader {
   const GlyphPlaces& glyphs_;
   std::vector<std::string>& defects_;
   std::vector<Words> words_;
+  std::size_t words_before_ = 0;  ///< of earlier commands
 };
 
 bool covers_others(const ImGuiWindow& window) {

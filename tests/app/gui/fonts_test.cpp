@@ -38,13 +38,16 @@ std::set<char32_t> characters_of(std::string_view text) {
   return characters;
 }
 
+/// Not one of icons.
+bool has_words(const ImFont& font) { return font.FindGlyphNoFallback('A') != nullptr; }
+
 /// The first character of a text that a font of the current context lacks, or nothing.
 std::string first_missing(std::string_view text) {
   const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   for (const char32_t character : characters_of(text)) {
     if (character < 0x20) continue;
     for (const ImFont* font : atlas.Fonts)
-      if (!font->FindGlyphNoFallback(static_cast<ImWchar>(character))) {
+      if (has_words(*font) && !font->FindGlyphNoFallback(static_cast<ImWchar>(character))) {
         char words[5] = {};
         ImTextCharToUtf8(words, character);
         return words;

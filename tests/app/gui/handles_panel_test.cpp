@@ -26,7 +26,7 @@ class HandlesPanel : public testing::Test {
   const Handle& first() { return editor().document().handles.front(); }
   /// Into the field that lies at some height of the panel.
   void type_into(double y, std::string_view words) {
-    headless_.click({140, y});
+    headless_.click({180, y});
     headless_.key(Key::a, {.control = true});
     headless_.type(words);
     headless_.key(Key::enter);
@@ -52,7 +52,7 @@ TEST_F(HandlesPanel, ANameIsTypedAndSearched) {
 TEST_F(HandlesPanel, WhereThereAreManyTheyAreSearched) {
   place(9);
   const Image all = headless_.picture();
-  headless_.click({100, 290});
+  headless_.click({140, 290});
   headless_.type("vrtx11");
   headless_.settle();
   const Image some = headless_.picture();
@@ -69,7 +69,7 @@ TEST_F(HandlesPanel, APositionIsTyped) {
 
 TEST_F(HandlesPanel, TheMeshTurnsWithAHandleWhenItIsTicked) {
   place(1);
-  headless_.click({74, kFirstField + 4 * kField});
+  headless_.click({114, kFirstField + 4 * kField});
   ASSERT_TRUE(first().turn);
   EXPECT_NEAR(first().turn->angle, 0, 1e-9);
   type_into(kFirstField + 5 * kField, "30");
@@ -78,7 +78,7 @@ TEST_F(HandlesPanel, TheMeshTurnsWithAHandleWhenItIsTicked) {
   EXPECT_EQ(first().turn->radius, 1.25);
   EXPECT_TRUE(
       headless_.wait_until([&] { return editor().status().kind == StatusKind::converged; }));
-  headless_.click({74, kFirstField + 4 * kField});
+  headless_.click({114, kFirstField + 4 * kField});
   EXPECT_FALSE(first().turn);
 }
 

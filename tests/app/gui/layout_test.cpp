@@ -20,7 +20,8 @@ class LayoutFor : public testing::TestWithParam<float> {};
 TEST_P(LayoutFor, FillsTheWindowWithoutOverlap) {
   for (const Extent size : {Extent{1280, 800}, Extent{2560, 1600}, Extent{500, 360}}) {
     const Layout l = layout_for(size, GetParam(), SidePanels::two);
-    const std::array parts{l.menu_bar, l.strip, l.left, l.right, l.canvas, l.timeline, l.status_bar};
+    const std::array parts{l.menu_bar, l.strip,    l.left,      l.right,
+                           l.canvas,   l.timeline, l.status_bar};
     double sum = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       sum += area(parts[i]);

@@ -30,14 +30,17 @@ TEST(DecadesOf, HasAnExtentWhateverComes) {
 }
 
 PlotAxes axes(double low, double high, bool is_logarithmic) {
-  return {{100, 10}, {300, 110}, low, high, 11, is_logarithmic};
+  PlotAxes a{{100, 10}, {300, 110}, low, high, 11, is_logarithmic};
+  a.first = 1;
+  a.last = 11;
+  return a;
 }
 
 TEST(PlotAxes, PutsValuesWhereTheyBelong) {
   const PlotAxes linear = axes(0, 50, false);
   EXPECT_FLOAT_EQ(linear.y(0), 110);
   EXPECT_FLOAT_EQ(linear.y(25), 60);
-  EXPECT_FLOAT_EQ(linear.x(10), 300);
+  EXPECT_FLOAT_EQ(linear.x(11), 300);
   const PlotAxes logarithmic = axes(-2, 2, true);
   EXPECT_FLOAT_EQ(logarithmic.y(1), 60);
   EXPECT_FALSE(logarithmic.is_drawable(0));
@@ -60,11 +63,68 @@ TEST(PlotAxes, ZerosHaveAPlaceAtTheBottomOfALogarithmicAxis) {
   EXPECT_TRUE(zeros.is_drawable(0));
 }
 
+Plot plot_of(std::span<const PlotCurve> curves, ImFont& font, PlotZoom* zoom = nullptr) {
+  font.FontSize = 10;
+  Plot plot;
+  plot.curves = curves;
+  plot.size = {200, 100};
+  plot.font = &font;
+  plot.zoom = zoom;
+  return plot;
+}
+
 TEST(PlotAxes, FindsTheIterationUnderThePointer) {
-  const PlotAxes a = axes(0, 1, false);
-  for (std::size_t i = 0; i < a.count; ++i) EXPECT_EQ(a.index_at(a.x(i) + 4), i);
-  EXPECT_EQ(a.index_at(-1000), 0U);
-  EXPECT_EQ(a.index_at(1000), 10U);
+  ImFont font;
+  const std::array curves{PlotCurve{"short", {1, 2}, {}}, PlotCurve{"long", {1, 2, 3, 4, 5}, {}}};
+  const Plot plot = plot_of(curves, font);
+  const PlotAxes a = axes_of(plot, {0, 0});
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_EQ(index_near(plot, a.position_at(a.x(static_cast<double>(i) + 1) + 4)), i);
+  EXPECT_EQ(index_near(plot, a.position_at(-1000)), 0U);
+  EXPECT_EQ(index_near(plot, a.position_at(1000)), 4U);
+}
+
+TEST(PlotAxes, ValuesStandAtTheirTimesWhereTheyHaveSome) {
+  ImFont font;
+  const std::array curves{PlotCurve{"E", {3, 2, 1}, {}, LineStyle::solid, {0.001, 0.002, 0.009}}};
+  const Plot plot = plot_of(curves, font);
+  const PlotAxes a = axes_of(plot, {0, 0});
+  EXPECT_FLOAT_EQ(a.x(0.001), a.min.x);
+  EXPECT_FLOAT_EQ(a.x(0.009), a.max.x);
+  EXPECT_EQ(index_near(plot, 0.0052), 1U);
+  EXPECT_EQ(index_near(plot, 0.006), 2U);
+  const auto ticks = a.position_ticks(40);
+  ASSERT_GE(ticks.size(), 2U);
+  EXPECT_EQ(ticks.back().label, "0.008");
+}
+
+TEST(PlotAxes, IterationsHaveWholeNumbers) {
+  ImFont font;
+  const std::array curves{PlotCurve{"E", {3, 2, 1}, {}}};
+  const auto ticks = axes_of(plot_of(curves, font), {0, 0}).position_ticks(10);
+  ASSERT_EQ(ticks.size(), 3U);
+  EXPECT_EQ(ticks.front().label, "1");
+  EXPECT_EQ(ticks.back().label, "3");
+}
+
+TEST(PlotZoom, KeepsWhatIsUnderThePointerAndEndsAtTheWhole) {
+  const PlotZoom closer = zoomed({}, 0.25, 0.5);
+  EXPECT_DOUBLE_EQ(closer.last - closer.first, 0.5);
+  EXPECT_DOUBLE_EQ(closer.first + 0.25 * (closer.last - closer.first), 0.25);
+  EXPECT_TRUE(zoomed(closer, 0.9, 100).is_whole());
+  const PlotZoom closest = zoomed({}, 1, 1e-30);
+  EXPECT_GT(closest.last, closest.first);
+  EXPECT_LE(closest.last, 1);
+}
+
+TEST(PlotZoom, ShowsAPartOfTheAxis) {
+  ImFont font;
+  PlotZoom zoom{0.5, 1};
+  const std::array curves{PlotCurve{"E", {5, 4, 3, 2, 1}, {}}};
+  const PlotAxes a = axes_of(plot_of(curves, font, &zoom), {0, 0});
+  EXPECT_DOUBLE_EQ(a.first, 3);
+  EXPECT_DOUBLE_EQ(a.last, 5);
+  EXPECT_FALSE(a.is_in_sight(2));
 }
 
 TEST(PlotAxes, TicksAreRoundNumbersWithRoomBetweenThem) {

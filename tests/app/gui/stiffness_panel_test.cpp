@@ -28,9 +28,9 @@ class StiffnessPanel : public testing::Test {
   /// What the window shows between the panels.
   Image canvas() {
     const Image window = headless_.picture();
-    Image part(700, 600);
+    Image part(680, 600);
     for (int y = 0; y < part.height; ++y)
-      std::copy_n(window.at(250, 60 + y), 4 * part.width, part.at(0, y));
+      std::copy_n(window.at(290, 60 + y), 4 * part.width, part.at(0, y));
     return part;
   }
 
@@ -51,7 +51,7 @@ TEST_F(StiffnessPanel, WhatIsStiffIsTintedWhileTheBrushIsInTheHand) {
 }
 
 TEST_F(StiffnessPanel, TheBrushIsTakenAndAllRemovedByTheMouse) {
-  const Vec2 paint_box{20, 355}, remove_all{150, 355};
+  const Vec2 paint_box{60, 355}, remove_all{190, 355};
   headless_.click(paint_box);
   ASSERT_TRUE(headless_.editor().brush().is_on());
   paint();
