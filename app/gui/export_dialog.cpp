@@ -50,7 +50,7 @@ void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
   if (std::exchange(opens_now_, false)) ImGui::OpenPopup("##export");
   if (!begin_dialog("##export", look, ImVec2{480, 380})) return;
   title_text("Export", look);
-  begin_options({0, -ImGui::GetFrameHeightWithSpacing()}, look);
+  begin_controls("options", {0, -ImGui::GetFrameHeightWithSpacing()}, look);
   draw_options(editor, look);
   ImGui::EndChild();
   const DialogKeys keys = dialog_keys();

@@ -136,7 +136,7 @@ void draw_image_dialog(Editor& editor, const PanelContext& context) {
   title_text("New from an image", look);
   dim_text(editor.files().image_import().file().filename().string(), look);
   // In a low window the options scroll, the buttons stay.
-  begin_options({0, -ImGui::GetFrameHeightWithSpacing()}, look);
+  begin_controls("options", {0, -ImGui::GetFrameHeightWithSpacing()}, look);
   draw_options(editor, look);
   ImGui::Spacing();
   draw_result(editor.files().image_import(), look);

@@ -168,7 +168,7 @@ void draw_race_results(Editor& editor, const PanelContext& context, const Rectan
       draw_plots(editor, context, ImGui::GetContentRegionAvail());
       ImGui::EndChild();
       ImGui::SameLine(0, look.px(16));
-      ImGui::BeginChild("table");
+      begin_controls("table", {0, 0}, look);
       draw_table(editor, context);
       ImGui::EndChild();
     } else {

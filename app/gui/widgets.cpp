@@ -121,9 +121,9 @@ void title_text(const char* words, const Look& look) {
   ImGui::Dummy({0, look.px(2)});
 }
 
-void begin_options(const ImVec2& size, const Look& look) {
+void begin_controls(const char* id, const ImVec2& size, const Look& look) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(4), look.px(2)});
-  ImGui::BeginChild("options", size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild(id, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
 }
 

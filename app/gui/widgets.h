@@ -49,9 +49,9 @@ void end_dialog();
 /// A large heading.
 void title_text(const char* words, const Look& look);
 
-/// Begins the part of a dialog that scrolls where the window is low, with room for the outlines of
-/// controls. Always followed by ImGui::EndChild().
-void begin_options(const ImVec2& size, const Look& look);
+/// Begins a part that scrolls where the window is low, with room for the outlines of controls.
+/// Always followed by ImGui::EndChild().
+void begin_controls(const char* id, const ImVec2& size, const Look& look);
 
 /// Begins a list whose rows ImGui highlights from edge to edge, with room round them. Always
 /// followed by ImGui::EndChild().
