@@ -23,7 +23,7 @@
 namespace foldless {
 
 struct WorkerOptions {
-  std::size_t timeline_bytes = std::size_t{256} << 20;  ///< memory cap of the timeline's snapshots
+  std::size_t timeline_bytes = std::size_t{180} << 20;  ///< memory cap of the timeline's snapshots
   MethodStarter start = start_method;
 };
 

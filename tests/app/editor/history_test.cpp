@@ -37,6 +37,24 @@ TEST(History, KeepsAHundredStepsOfALargeMesh) {
   EXPECT_EQ(history.steps().size(), 121U);
 }
 
+/// No step shares positions or triangles with another, as after a drag that flips edges.
+TEST(History, AHundredStepsOfTwentyThousandTrianglesTakeLessThan300MB) {
+  Document document = grid_document(101);
+  ASSERT_GE(document.pose->triangles->cols(), 20'000);
+  History history;
+  history.reset("open", document);
+  for (int k = 0; k < 100; ++k) {
+    auto pose = std::make_shared<Snapshot>(*document.pose);
+    pose->deformed.array() += 1;
+    pose->triangles = std::make_shared<const Triangles>(*pose->triangles);
+    document.pose = pose;
+    history.push("drag", document);
+  }
+  EXPECT_EQ(history.steps().size(), 101U);
+  EXPECT_LT(history.bytes(), 300'000'000U);
+  RecordProperty("bytes", std::to_string(history.bytes()));
+}
+
 TEST(History, StaysWithinItsMemoryCap) {
   Document document = grid_document(20);
   History history(100'000);
