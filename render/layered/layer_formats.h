@@ -24,6 +24,6 @@ class ZipArchive;
 // One a format. They throw Error without a file's name.
 LayeredImage decode_open_raster(const ZipArchive& archive, LayeredParts parts);
 LayeredImage decode_krita(const ZipArchive& archive, LayeredParts parts);
-LayeredImage decode_photoshop(std::string_view bytes, LayeredParts parts);
+LayeredImage decode_photoshop(std::string_view bytes);
 
 }  // namespace foldless

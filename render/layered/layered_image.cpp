@@ -66,7 +66,7 @@ bool is_layered(std::string_view bytes) {
 }
 
 LayeredImage decode_layered(std::string_view bytes, LayeredParts parts) {
-  if (bytes.starts_with(kPhotoshopSignature)) return decode_photoshop(bytes, parts);
+  if (bytes.starts_with(kPhotoshopSignature)) return decode_photoshop(bytes);
   if (!is_zip(bytes)) throw Error("is not an OpenRaster, Krita or Photoshop file");
   const ZipArchive archive(bytes);
   if (archive.has("stack.xml")) return decode_open_raster(archive, parts);

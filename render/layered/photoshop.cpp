@@ -225,22 +225,25 @@ bool has_merged_alpha(PhotoshopBytes section) {
 
 }  // namespace
 
-LayeredImage decode_photoshop(std::string_view file, LayeredParts parts) {
+LayeredImage decode_photoshop(std::string_view file) {
   PhotoshopBytes bytes(file);
   const PhotoshopHead head = read_photoshop_head(bytes);
   LayerCollector layers(head.width, head.height);
   bytes.part();  // a palette
   const bool has_merged = has_merged_picture(bytes.part());
   const PhotoshopBytes section = bytes.part();
-  if (!head.is_8_bit_rgb())
-    layers.give_up("Layers that are not of 8-bit RGB colours are only read merged");
-  else if (parts == LayeredParts::all || !has_merged)
+  if (head.is_8_bit_rgb())
     add_layers(read_records(section), layers);
-  LayeredImage painting = layers.take();
-  if (has_merged || painting.layers.empty())
-    painting.merged = read_merged(bytes, head, has_merged_alpha(section));
   else
+    layers.give_up("Layers that are not of 8-bit RGB colours are only read merged");
+  LayeredImage painting = layers.take();
+  // Where they show all, layers are more exact than the merged picture: programs do not agree on
+  // whether that lies on white.
+  const bool show_all = !painting.layers.empty() && painting.notices.empty();
+  if (show_all || (!has_merged && !painting.layers.empty()))
     painting.merged = composed(painting);
+  else
+    painting.merged = read_merged(bytes, head, has_merged_alpha(section));
   return painting;
 }
 
