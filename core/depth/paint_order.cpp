@@ -59,6 +59,13 @@ Eigen::VectorXd order_at_rest(const Triangles& triangles, const Points& rest) {
 
 }  // namespace
 
+void PaintOrder::set_parts(std::shared_ptr<const MeshParts> parts) {
+  if (parts == parts_) return;
+  parts_ = std::move(parts);
+  depths_.reset();
+  is_known_ = false;
+}
+
 void PaintOrder::adopt(const Snapshot& snapshot) {
   if (revision_ == snapshot.revision) return;
   revision_ = snapshot.revision;
@@ -83,6 +90,13 @@ void PaintOrder::refresh_keys(const Snapshot& snapshot, Depths depths) {
   if (depths_ == depths) return;
   const Triangles& triangles = *snapshot.triangles;
   keys_.depth = by_triangle(triangles, depth_.update(triangles, *snapshot.rest, snapshot.handles));
+  if (parts_) {
+    const std::vector<int> part =
+        parts_of_triangles(triangles, static_cast<int>(snapshot.rest->cols()), *parts_);
+    for (Eigen::Index t = 0; t < triangles.cols(); ++t)
+      keys_.depth[t] +=
+          (*parts_)[static_cast<std::size_t>(part[static_cast<std::size_t>(t)])].depth;
+  }
   if (!depths_) keys_.order = by_triangle(triangles, order_at_rest(triangles, *snapshot.rest));
   depths_ = std::move(depths);
 }

@@ -10,6 +10,7 @@
 #include "core/depth/boundary_curves.h"
 #include "core/depth/depth_field.h"
 #include "core/depth/paint_layers.h"
+#include "core/mesh/parts.h"
 #include "core/snapshot.h"
 
 namespace foldless {
@@ -21,6 +22,10 @@ namespace foldless {
 /// overlaps it only looks at the boundary.
 class PaintOrder {
  public:
+  /// The depths of parts are those of their triangles, from now on, to which those of handles are
+  /// added; null: all 0.
+  void set_parts(std::shared_ptr<const MeshParts> parts);
+
   /// A layer for every triangle, see paint_layers(), as `points` have them: the snapshot's rest or
   /// deformed positions. All 0 where nothing overlaps, and where the map folds: then there are no
   /// sheets. Valid until the next call. Precondition: the snapshot has triangles and a rest mesh.
@@ -34,6 +39,7 @@ class PaintOrder {
   bool refresh_overlaps(const Points& points);
   void refresh_keys(const Snapshot& snapshot, Depths depths);
 
+  std::shared_ptr<const MeshParts> parts_;
   std::optional<std::uint64_t> revision_;
   std::shared_ptr<const Triangles> triangles_;  ///< of that revision, as what follows
   std::optional<BoundaryCurves> boundary_;

@@ -173,6 +173,15 @@ TEST_F(LayerFormats, PhotoshopGroupsHoldWhatIsBelowThem) {
   EXPECT_EQ(read_back.notices.size(), 3U) << "opacity of a group, blend mode, mask";
 }
 
+TEST_F(LayerFormats, PhotoshopWithWhatLayersLackIsTheMergedPictureOffItsWhite) {
+  LayeredImage painting = painting_of(9, 9, {block("L", 0, 0, plain(9, 9, {200, 100, 0, 80}))});
+  painting.merged = plain(9, 9, {10, 60, 120, 102});
+  const LayeredImage read_back = read(psd_of(painting, {{painting.layers[0], "mul "}}, true));
+  EXPECT_EQ(read_back.layers.size(), 1U);
+  for (int c = 0; c < 4; ++c)
+    EXPECT_NEAR(read_back.merged.at(4, 4)[c], painting.merged.at(4, 4)[c], 3) << c;
+}
+
 TEST_F(LayerFormats, PhotoshopOfOtherColoursIsReadMerged) {
   LayeredImage painting = painting_of(9, 9, {block("L", 0, 0, plain(9, 9, {200, 100, 0, 255}))});
   painting.layers.clear();

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/mesh/parts.h"
+#include "core/outline/image_mesh.h"
+
+namespace foldless {
+
+/// How opaque a layer of a painting is, and where it lies.
+struct LayerAlpha {
+  std::string name;
+  int x = 0;  ///< of its left column on the canvas, pixels
+  int y = 0;  ///< of its uppermost row on the canvas, pixels from the top
+  AlphaMap alpha;
+};
+
+/// The mesh of a painting, layer by layer; parts overlap where layers do.
+struct LayersMesh {
+  ImageMesh mesh;
+  MeshParts parts;                    ///< as the layers, and with greater and greater depths
+  std::vector<std::string> left_out;  ///< layers in which nothing is opaque enough
+};
+
+/// Meshes each layer, bottom to top, as mesh_of_image() does the whole; `canvas` is its size.
+/// Layers lie within it. Nothing if `stop` was requested before it was done. Throws Error as
+/// mesh_of_image().
+std::optional<LayersMesh> mesh_of_layers(std::span<const LayerAlpha> layers, const Vec2& canvas,
+                                         const ImageMeshOptions& options,
+                                         const std::stop_token& stop = {});
+
+}  // namespace foldless
