@@ -29,17 +29,20 @@ void DocumentFiles::update_import() {
   }
   if (!takes_image_ || !import_.is_ready()) return;
   const auto image = import_.image();
-  const Document document = import_.mesh()->document;
-  texture_image_.adopt(image->file, image->texture);
+  const std::shared_ptr<const ImportedMesh> mesh = import_.mesh();
+  const Document& document = mesh->document;
+  texture_image_.adopt(image->file, document.parts, mesh->texture);
   install(document, "Open " + image->file.filename().string());
   view_.options().layers = {.wireframe = false, .boundary = false};  // the picture alone
   recent_.add(image->file);
 }
 
 void DocumentFiles::follow_texture() {
-  texture_image_.follow(draft_.document().texture);
+  texture_image_.follow(draft_.document().texture, draft_.document().parts);
   if (!texture_image_.poll()) return;
   messages_.redraw();
+  for (const std::string& notice : texture_image_.notices())
+    messages_.toast(ToastKind::notice, notice);
   if (!texture_image_.problem().empty())
     messages_.toast(ToastKind::error, texture_image_.problem());
 }

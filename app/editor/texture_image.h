@@ -7,9 +7,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/run/latest_job.h"
-#include "render/texture_levels.h"
+#include "render/texture_pieces.h"
 
 namespace foldless {
 
@@ -19,32 +20,42 @@ class TextureImage {
   /// `wake` is called on that thread when poll() has news.
   explicit TextureImage(std::function<void()> wake = {});
 
-  /// The file that is wanted from now on; empty: none. Reading begins when it is another.
-  void follow(const std::filesystem::path& file);
+  using Parts = std::shared_ptr<const MeshParts>;
+
+  /// The file that is wanted from now on, and of which mesh it is the texture; empty: none. Reading
+  /// begins when either is another.
+  void follow(const std::filesystem::path& file, const Parts& parts);
   /// The image of a file that was read already.
-  void adopt(const std::filesystem::path& file, std::shared_ptr<const TextureLevels> image);
+  void adopt(const std::filesystem::path& file, const Parts& parts,
+             std::shared_ptr<const TexturePieces> image);
   /// Takes what was read; returns whether there was anything new.
   bool poll();
 
   /// Null while there is none: nothing is wanted, it is being read, or it cannot be.
-  const std::shared_ptr<const TextureLevels>& image() const { return image_; }
+  const std::shared_ptr<const TexturePieces>& image() const { return image_; }
   /// Why the file cannot be read; empty: it can, or nobody knows yet.
   const std::string& problem() const { return problem_; }
+  /// What of the image is missing, one sentence each.
+  const std::vector<std::string>& notices() const { return notices_; }
   /// True from follow() until poll() has the image or the problem.
   bool is_reading() const { return is_reading_; }
 
  private:
   struct Result {
-    std::filesystem::path file;
-    std::shared_ptr<const TextureLevels> image;
+    int request = 0;
+    LoadedTexture texture;
     std::string problem;
   };
 
-  static Result read(const std::filesystem::path& file);
+  void read(int request, const std::filesystem::path& file, const Parts& parts,
+            const std::stop_token& stop);
 
   std::function<void()> wake_;
   std::filesystem::path file_;
-  std::shared_ptr<const TextureLevels> image_;
+  Parts parts_;
+  int request_ = 0;  ///< results of earlier ones are dropped
+  std::shared_ptr<const TexturePieces> image_;
+  std::vector<std::string> notices_;
   std::string problem_;
   bool is_reading_ = false;
   std::mutex mutex_;  ///< of what follows

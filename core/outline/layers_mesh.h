@@ -12,14 +12,6 @@
 
 namespace foldless {
 
-/// How opaque a layer of a painting is, and where it lies.
-struct LayerAlpha {
-  std::string name;
-  int x = 0;  ///< of its left column on the canvas, pixels
-  int y = 0;  ///< of its uppermost row on the canvas, pixels from the top
-  AlphaMap alpha;
-};
-
 /// The mesh of a painting, layer by layer; parts overlap where layers do.
 struct LayersMesh {
   ImageMesh mesh;

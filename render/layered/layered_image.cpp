@@ -55,6 +55,17 @@ Image composed(const LayeredImage& painting) {
   return image;
 }
 
+std::vector<LayerAlpha> layer_alphas(const LayeredImage& painting) {
+  std::vector<LayerAlpha> alphas;
+  for (const PictureLayer& layer : painting.layers)
+    if (layer.is_visible && layer.opacity > 0 && layer.image.width > 0)
+      alphas.push_back({layer.name,
+                        layer.x,
+                        layer.y,
+                        {layer.image.width, layer.image.height, alpha_of(layer.image)}});
+  return alphas;
+}
+
 bool is_layered_file(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/outline/alpha_map.h"
 #include "render/image.h"
 
 namespace foldless {
@@ -38,6 +39,9 @@ bool is_layered_file(const std::filesystem::path& file);
 /// the like are left out of the layers, with a notice. Throws Error when the file cannot be read,
 /// is none of these or damaged, and where canvas or layers exceed the limits of load_image().
 LayeredImage load_layered(const std::filesystem::path& file);
+
+/// The alpha of the layers of which something is seen, bottom to top, without their opacities.
+std::vector<LayerAlpha> layer_alphas(const LayeredImage& painting);
 
 /// The layers over each other as they are painted: normal blending, visible ones only.
 Image composed(const LayeredImage& painting);

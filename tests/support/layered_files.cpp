@@ -4,9 +4,13 @@
 #include <liblzf/lzf.h>
 #include <zip.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include "tests/support/pictures.h"
 
 namespace foldless::test {
 namespace {
@@ -116,6 +120,26 @@ LayeredImage painting_of(int width, int height, std::vector<PictureLayer> layers
   LayeredImage painting{width, height, std::move(layers), {}, {}};
   painting.merged = composed(painting);
   return painting;
+}
+
+LayeredImage doll() {
+  const auto bar = [](double left, double top, double right, double bottom) {
+    return alpha_map(160, 200, [=](double x, double y) {
+      return 0.5 + std::min({x - left, right - x, y - top, bottom - y});
+    });
+  };
+  const AlphaMap head =
+      alpha_map(160, 200, [](double x, double y) { return 30.5 - std::hypot(x - 80, y - 40); });
+  const auto layer = [](const std::string& name, const AlphaMap& alpha, std::size_t channel) {
+    Image image = painted(alpha);
+    for (std::size_t p = channel; p < image.pixels.size(); p += 4) image.pixels[p] = 240;
+    return block(name, 0, 0, image);
+  };
+  std::vector<PictureLayer> layers{layer("Body", bar(50, 70, 110, 190), 0), layer("Head", head, 1),
+                                   layer("Left arm", bar(8, 80, 66, 104), 2),
+                                   layer("Right arm", bar(94, 80, 152, 104), 1)};
+  layers[1].opacity = 0.5;
+  return painting_of(160, 200, std::move(layers));
 }
 
 std::string zip_of(const Entries& files) {

@@ -16,6 +16,10 @@ Image plain(int width, int height, const std::vector<int>& rgba);
 /// A painting whose merged picture is made of its layers.
 LayeredImage painting_of(int width, int height, std::vector<PictureLayer> layers);
 
+/// A figure of four soft-edged layers, 160 × 200 pixels: Body, Head, Left arm and Right arm, which
+/// lie over the body's sides. The head is half transparent.
+LayeredImage doll();
+
 /// A zip archive of files, name and bytes.
 std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files);
 
