@@ -18,6 +18,7 @@ LayeredImage read_layers(const std::filesystem::path& file) {
 std::shared_ptr<const ImportedImage> read_image(const std::filesystem::path& file) {
   auto imported = std::make_shared<ImportedImage>();
   imported->file = file;
+  imported->stamp = stamp_of(file);
   LayeredImage painting = read_layers(file);
   imported->alpha = {painting.merged.width, painting.merged.height, alpha_of(painting.merged)};
   imported->texture = whole_texture(std::move(painting.merged));

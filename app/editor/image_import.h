@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/editor/document.h"
+#include "app/editor/file_stamp.h"
 #include "core/outline/layers_mesh.h"
 #include "core/run/latest_job.h"
 #include "render/texture_pieces.h"
@@ -20,6 +21,7 @@ namespace foldless {
 /// An image that was read, and how to mesh it.
 struct ImportedImage {
   std::filesystem::path file;
+  std::optional<FileStamp> stamp;                ///< before it was read
   std::shared_ptr<const TexturePieces> texture;  ///< as a whole
   AlphaMap alpha;
   std::vector<LayerAlpha> layers;           ///< those of which something is seen, bottom to top

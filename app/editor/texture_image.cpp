@@ -10,16 +10,29 @@ TextureImage::TextureImage(std::function<void()> wake) : wake_(std::move(wake)) 
 
 void TextureImage::follow(const std::filesystem::path& file, const Parts& parts) {
   if (file == file_ && parts == parts_) return;
-  adopt(file, parts, nullptr);
+  adopt(file, parts, nullptr, stamp_of(file));
   is_reading_ = !file.empty();
-  if (!is_reading_) return;
-  job_.start([this, request = request_, file, parts](const std::stop_token& stop) {
-    read(request, file, parts, stop);
-  });
+  if (is_reading_) start();
+}
+
+void TextureImage::refresh(bool always) {
+  if (file_.empty() || is_reading_ || is_refreshing_) return;
+  const std::optional<FileStamp> stamp = stamp_of(file_);
+  // A file that is being replaced may be gone for a moment.
+  if (!stamp || (stamp == stamp_ && !always)) return;
+  stamp_ = stamp;
+  is_refreshing_ = true;
+  start();
+}
+
+void TextureImage::start() {
+  job_.start([this, request = ++request_, file = file_,
+              parts = parts_](const std::stop_token& stop) { read(request, file, parts, stop); });
 }
 
 void TextureImage::adopt(const std::filesystem::path& file, const Parts& parts,
-                         std::shared_ptr<const TexturePieces> image) {
+                         std::shared_ptr<const TexturePieces> image,
+                         const std::optional<FileStamp>& stamp) {
   job_.cancel();
   ++request_;
   file_ = file;
@@ -27,7 +40,8 @@ void TextureImage::adopt(const std::filesystem::path& file, const Parts& parts,
   image_ = std::move(image);
   notices_.clear();
   problem_.clear();
-  is_reading_ = false;
+  stamp_ = stamp;
+  is_reading_ = is_refreshing_ = is_refreshed_ = false;
 }
 
 bool TextureImage::poll() {
@@ -36,11 +50,12 @@ bool TextureImage::poll() {
     const std::lock_guard lock(mutex_);
     result = std::exchange(result_, std::nullopt);
   }
-  if (!result || result->request != request_ || !is_reading_) return false;
-  image_ = std::move(result->texture.pieces);
+  if (!result || result->request != request_) return false;
+  is_refreshed_ = is_refreshing_;
+  if (result->texture.pieces || !is_refreshed_) image_ = std::move(result->texture.pieces);
   notices_ = std::move(result->texture.notices);
   problem_ = std::move(result->problem);
-  is_reading_ = false;
+  is_reading_ = is_refreshing_ = false;
   return true;
 }
 
