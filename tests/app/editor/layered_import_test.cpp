@@ -92,6 +92,12 @@ TEST_F(LayeredImport, AClickTakesTheFrontPart) {
   EXPECT_EQ(part_at({102, 108}), "Right arm");
   EXPECT_EQ(part_at({80, 40}), "Body");
   EXPECT_EQ(part_at({80, 160}), "Head");
+  place(editor_->document().parts->front().first_vertex);
+  for (const auto& [depth, front] : {std::pair{1.5, "Left arm"}, std::pair{2.5, "Body"}}) {
+    editor_->edits().change_selected("Depth", Change::appearance,
+                                     [&](Handle& handle) { handle.depth = depth; });
+    EXPECT_EQ(part_at({58, 108}), front) << "the arms' depths are 2 and 3";
+  }
 }
 
 TEST_F(LayeredImport, SavingRecoveringAndUndoKeepTheParts) {
