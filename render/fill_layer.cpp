@@ -91,7 +91,7 @@ void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, std::size_t shee
   if (pieces_.empty()) return mesh.draw_triangles(sheet);
   for (std::size_t part = 0; part < mesh.part_count(); ++part) {
     const Piece& piece = pieces_[std::min(part, pieces_.size() - 1)];
-    if (!piece.image) continue;
+    if (!piece.image || !mesh.has_triangles(sheet, part)) continue;
     use_image(piece, mesh);
     mesh.draw_triangles(sheet, part);
   }

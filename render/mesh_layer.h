@@ -40,8 +40,12 @@ class MeshLayer {
   std::size_t part_count() const { return part_count_; }
   /// Draws with the program in use: attribute 0 is the position, 1 the rest position.
   void draw_triangles(std::size_t sheet) const;
-  /// Those of one part.
+  /// Those of one part, if there are any.
   void draw_triangles(std::size_t sheet, std::size_t part) const;
+  bool has_triangles(std::size_t sheet, std::size_t part) const {
+    const std::size_t place = sheet * part_count_ + part;
+    return triangle_starts_[place] < triangle_starts_[place + 1];
+  }
   /// Which triangle is drawn as the first, the second …; gl_PrimitiveID counts in this order, from
   /// 0 in every sheet.
   const std::vector<int>& order() const { return order_; }

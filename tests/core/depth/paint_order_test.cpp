@@ -151,6 +151,33 @@ TEST(PaintOrder, DepthsOfHandlesCountFromThatOfTheirPart) {
   }
 }
 
+TEST(PaintOrder, PartsWhoseDepthsMixAreComparedWhereTheyOverlap) {
+  const Fixture one = ribbon(20, -2, 2, 0.2);
+  const Fixture f = both(one, one);
+  const int vertices = static_cast<int>(one.rest.cols());
+  Snapshot snapshot = posed(f, f.rest);
+  // The second lies across the first at its left end, where that is behind, or at its right end.
+  for (const double place : {-1.5, 1.5}) {
+    for (int v = vertices; v < 2 * vertices; ++v)
+      snapshot.deformed.col(v) = Vec2(place - f.rest(1, v), f.rest(0, v));
+    const auto vertex_near = [&](double x) {
+      Eigen::Index nearest = 0;
+      (f.rest.leftCols(vertices).colwise() - Vec2(x, 0)).colwise().norm().minCoeff(&nearest);
+      return static_cast<int>(nearest);
+    };
+    snapshot.handles = {{.id = 0, .vertex = vertex_near(-2), .depth = -4},
+                        {.id = 1, .vertex = vertex_near(2), .depth = 6}};
+    PaintOrder order;
+    order.set_parts(std::make_shared<const MeshParts>(
+        MeshParts{{"A", 0, vertices, 0}, {"B", vertices, vertices, 1}}));
+    const std::vector<int>& layers = order.layers(snapshot, snapshot.deformed);
+    const auto half = static_cast<std::ptrdiff_t>(one.triangles.cols());
+    const int first = *std::max_element(layers.begin(), layers.begin() + half);
+    const int second = *std::max_element(layers.begin() + half, layers.end());
+    EXPECT_EQ(first > second, place > 0) << place;
+  }
+}
+
 TEST(PaintOrder, AMapThatFoldsHasNoSheets) {
   Snapshot snapshot = crossing_ribbon();
   PaintOrder order;
