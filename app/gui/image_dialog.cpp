@@ -114,8 +114,9 @@ void draw_notice(const std::string& notice, const Look& look) {
 /// What became of the layers.
 void draw_layers(const ImageImport& import, const Look& look) {
   const ImportedMesh& mesh = *import.mesh();
-  if (!mesh.document.parts) return;
-  dim_text(count(static_cast<int>(mesh.document.parts->size()), "layer"), look);
+  if (import.image()->has_layers() && !mesh.document.parts) return;
+  if (mesh.document.parts)
+    dim_text(count(static_cast<int>(mesh.document.parts->size()), "layer"), look);
   for (const std::string& notice : import.image()->notices) draw_notice(notice, look);
   for (const std::string& name : mesh.left_out)
     draw_notice("Nothing of the layer '" + name + "' is opaque enough", look);

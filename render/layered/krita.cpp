@@ -34,6 +34,7 @@ class KritaReader {
 
   void read_layers(const pugi::xml_node& nodes, const LayerGroup& group) {
     for (const pugi::xml_node& node : nodes.children("layer")) {
+      if (layers_.has_given_up()) return;
       const std::string name = node.attribute("name").as_string();
       const LayerGroup look = group_within(group, look_of_node(node));
       if (look.is_visible) note_look(node, name);

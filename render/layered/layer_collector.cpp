@@ -76,14 +76,15 @@ LayerCollector::LayerCollector(long width, long height) {
 }
 
 void LayerCollector::add(PictureLayer layer) {
+  if (has_given_up()) return;
   if (painting_.layers.size() == kMostLayers)
-    throw Error("the file has more than " + std::to_string(kMostLayers) +
-                " layers; merge some of them");
+    return give_up("The file has more than " + std::to_string(kMostLayers) +
+                   " layers: they are only read merged");
   cut_down(layer, painting_.width, painting_.height);
   pixels_ += layer.image.pixels.size() / 4;
   if (pixels_ > kMostLayerPixels)
-    throw Error("the layers have more than " + std::to_string(kMostLayerPixels) +
-                " pixels in all; merge some of them or scale the picture down");
+    return give_up("The layers have more than " + std::to_string(kMostLayerPixels) +
+                   " pixels in all: they are only read merged");
   painting_.layers.push_back(std::move(layer));
 }
 
@@ -93,6 +94,11 @@ void LayerCollector::note(const std::string& what, const std::string& layer) {
   it->second.push_back(layer);
 }
 
+void LayerCollector::give_up(std::string why) {
+  reason_ = std::move(why);
+  painting_.layers.clear();
+}
+
 LayeredImage LayerCollector::take() {
   if (reason_.empty()) {
     std::ranges::reverse(painting_.layers);
@@ -100,7 +106,6 @@ LayeredImage LayerCollector::take() {
     for (const auto& [what, layers] : notes_)
       painting_.notices.push_back(sentence_of(what, layers));
   } else {
-    painting_.layers.clear();
     painting_.notices = {reason_};
   }
   return std::move(painting_);

@@ -19,13 +19,15 @@ class LayerCollector {
   int width() const { return painting_.width; }
   int height() const { return painting_.height; }
 
-  /// Takes a layer anywhere on or off the canvas and cuts it down. Throws Error on too many layers
-  /// or pixels in all.
+  /// Takes a layer anywhere on or off the canvas and cuts it down. Gives up at too many layers or
+  /// pixels in all.
   void add(PictureLayer layer);
   /// Something of a layer that is not kept, e.g. "masks are left out".
   void note(const std::string& what, const std::string& layer);
-  /// The layers cannot be had, only the merged picture, and why: a sentence.
-  void give_up(std::string why) { reason_ = std::move(why); }
+  /// The layers cannot be had, only the merged picture, and why: a sentence. Those that were taken
+  /// go, and no more are wanted.
+  void give_up(std::string why);
+  bool has_given_up() const { return !reason_.empty(); }
 
   /// The painting, all but its merged picture: layers bottom to top, each with a name of its own.
   LayeredImage take();

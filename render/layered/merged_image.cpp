@@ -20,7 +20,7 @@ LayeredImage with_merged(const ZipArchive& archive, LayeredParts parts, LayerCol
     if (painting.merged.width != painting.width || painting.merged.height != painting.height)
       throw Error(std::string(kMergedName) + " in the archive is not as large as the canvas");
   } else if (painting.layers.empty()) {
-    throw Error("there is neither a layer of 8-bit colours nor a merged picture in the archive");
+    throw Error("there is no merged picture in the archive, and no layer that can be read");
   } else {
     painting.merged = composed(painting);
   }

@@ -28,6 +28,7 @@ class StackReader {
 
   void read_stack(const pugi::xml_node& stack, const LayerGroup& group) {
     for (const pugi::xml_node& node : stack.children()) {
+      if (layers_.has_given_up()) return;
       const std::string_view kind = node.name();
       if (kind == "stack") {
         const LayerGroup look = group_within(group, look_of(node));

@@ -141,6 +141,16 @@ void note_what_is_lost(const LayerRecord& record, LayerCollector& layers) {
   if (record.has_effects) layers.note("shown without their effects", record.name);
 }
 
+/// In ways that unpacked_rows() knows.
+bool is_packed_plainly(const LayerRecord& record) {
+  PhotoshopBytes bytes(record.pixels);
+  for (const auto& [id, count] : record.channels) {
+    PhotoshopBytes channel(bytes.take(count));
+    if (!channel.is_at_end() && channel.word() > kPackBits) return false;
+  }
+  return true;
+}
+
 /// A group comes after, that is over, what it holds, and its end before.
 void add_layers(const std::vector<LayerRecord>& records, LayerCollector& layers) {
   std::vector<LayerGroup> groups{{}};
@@ -150,6 +160,9 @@ void add_layers(const std::vector<LayerRecord>& records, LayerCollector& layers)
       if (groups.size() > 1) groups.pop_back();
       continue;
     }
+    if (!is_packed_plainly(record))
+      return layers.give_up("Layers that are zipped are only read merged: the layer '" +
+                            record.name + "'");
     const LayerGroup look =
         group_within(groups.back(), {0, 0, 0, record.opacity, record.is_visible});
     if (look.is_visible) note_what_is_lost(record, layers);
@@ -158,6 +171,7 @@ void add_layers(const std::vector<LayerRecord>& records, LayerCollector& layers)
       groups.push_back(look);
       continue;
     }
+    if (layers.has_given_up()) return;
     layers.add({record.name, record.left, record.top, look.is_visible ? image_of(record) : Image{},
                 look.opacity, look.is_visible});
   }

@@ -82,9 +82,8 @@ std::string PhotoshopBytes::long_name() {
 }
 
 std::string unpacked_rows(PhotoshopBytes& bytes, const PackedRows& rows) {
-  constexpr unsigned kRaw = 0, kPackBits = 1;
   const unsigned packing = bytes.word();
-  if (packing == kRaw) return std::string(bytes.take(rows.wanted * rows.row_bytes));
+  if (packing == kUnpacked) return std::string(bytes.take(rows.wanted * rows.row_bytes));
   if (packing != kPackBits)
     throw Error("the Photoshop file packs its pixels in a way that is not read; save it again");
   PhotoshopBytes lengths(bytes.take(2 * rows.all));

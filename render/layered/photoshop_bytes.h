@@ -36,6 +36,9 @@ class PhotoshopBytes {
   std::string_view rest_;
 };
 
+/// How rows may be packed.
+inline constexpr unsigned kUnpacked = 0, kPackBits = 1;
+
 /// How rows of bytes are packed in a file, and how many there are.
 struct PackedRows {
   std::size_t row_bytes;

@@ -88,16 +88,26 @@ TEST_F(LayerFormats, RefuseGroupsNestedTooDeeply) {
   EXPECT_NE(refusal(ora(opening + closing)).find("nested more than 100 deep"), std::string::npos);
 }
 
-TEST_F(LayerFormats, RefuseTooManyLayersAndPixels) {
+TEST_F(LayerFormats, WithTooManyLayersOrPixelsAreReadMerged) {
   std::string layers;
   for (int i = 0; i < 1001; ++i) layers += ora_layer({"L", 0, 0, {}, 1, false}, "dot.png");
-  EXPECT_NE(refusal(ora(layers)).find("more than 1000 layers"), std::string::npos);
+  const LayeredImage many = read(ora(layers));
+  EXPECT_TRUE(many.layers.empty());
+  EXPECT_EQ(many.merged.width, 9);
+  EXPECT_EQ(many.notices, std::vector<std::string>{
+                              "The file has more than 1000 layers: they are only read merged"});
   const Image large = plain(3000, 3000, {1, 2, 3, 255});
   layers.clear();
   for (int i = 0; i < 12; ++i) layers += ora_layer(block("L", 0, 0, large), "large.png");
-  const std::string many = zip_of({{"stack.xml", ora_xml(painting_of(3000, 3000, {}), layers)},
-                                   {"large.png", encode_png(large)}});
-  EXPECT_NE(refusal(many).find("100000000 pixels in all"), std::string::npos);
+  std::vector<std::pair<std::string, std::string>> files{
+      {"stack.xml", ora_xml(painting_of(3000, 3000, {}), layers)},
+      {"large.png", encode_png(large)}};
+  EXPECT_NE(refusal(zip_of(files)).find("no merged picture"), std::string::npos);
+  files.emplace_back("mergedimage.png", files.back().second);
+  const LayeredImage heavy = read(zip_of(files));
+  EXPECT_TRUE(heavy.layers.empty());
+  ASSERT_EQ(heavy.notices.size(), 1U);
+  EXPECT_NE(heavy.notices[0].find("100000000 pixels in all"), std::string::npos);
 }
 
 TEST_F(LayerFormats, RefuseWrongWordsInTheirXml) {
@@ -180,6 +190,19 @@ TEST_F(LayerFormats, PhotoshopWithWhatLayersLackIsTheMergedPictureOffItsWhite) {
   EXPECT_EQ(read_back.layers.size(), 1U);
   for (int c = 0; c < 4; ++c)
     EXPECT_NEAR(read_back.merged.at(4, 4)[c], painting.merged.at(4, 4)[c], 3) << c;
+}
+
+TEST_F(LayerFormats, PhotoshopWithZippedLayersIsReadMerged) {
+  const LayeredImage painting = painting_of(9, 9, {block("L", 0, 0, plain(9, 9, {8, 7, 6, 255}))});
+  std::string psd = psd_of(painting, false);
+  // The packing of the first channel, after the layer's name.
+  const std::size_t name = psd.find("luni");
+  psd.replace(name + 4 + 4 + 4 + 2, 2, big_endian(2, 2));
+  const LayeredImage read_back = read(psd);
+  EXPECT_TRUE(read_back.layers.empty());
+  EXPECT_EQ(read_back.merged, painting.merged);
+  ASSERT_EQ(read_back.notices.size(), 1U);
+  EXPECT_NE(read_back.notices[0].find("zipped"), std::string::npos);
 }
 
 TEST_F(LayerFormats, PhotoshopOfOtherColoursIsReadMerged) {
