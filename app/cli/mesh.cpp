@@ -68,7 +68,9 @@ MeshedFile mesh_by_layer(const MeshCall& call) {
   const AlphaMap alpha{painting.width, painting.height, alpha_of(painting.merged)};
   const Vec2 size(painting.width, painting.height);
   return naming_the_file(call, [&]() -> MeshedFile {
-    if (layers.empty()) throw Error("has no layer that can be seen by itself; leave out --layers");
+    if (layers.empty())
+      throw Error("has no layer that can be seen by itself; leave out --layers" +
+                  (painting.notices.empty() ? "" : " (" + painting.notices.front() + ")"));
     LayersMesh made = *mesh_of_layers(layers, size, options_of(call, alpha));
     for (const std::string& name : made.left_out)
       painting.notices.push_back("nothing of the layer '" + name + "' is opaque enough");

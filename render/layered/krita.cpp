@@ -37,8 +37,9 @@ class KritaReader {
       if (layers_.has_given_up()) return;
       const std::string name = node.attribute("name").as_string();
       const LayerGroup look = group_within(group, look_of_node(node));
-      if (look.is_visible) note_look(node, name);
       const std::string_view kind = node.attribute("nodetype").as_string();
+      const bool is_read = kind == "grouplayer" || kind == "paintlayer";
+      if (is_read && look.is_visible) note_look(node, name);
       if (kind == "grouplayer") {
         if (look.is_visible && look_of_node(node).opacity < 1)
           layers_.note(std::string(kGroupNote), name);

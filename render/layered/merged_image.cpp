@@ -20,7 +20,8 @@ LayeredImage with_merged(const ZipArchive& archive, LayeredParts parts, LayerCol
     if (painting.merged.width != painting.width || painting.merged.height != painting.height)
       throw Error(std::string(kMergedName) + " in the archive is not as large as the canvas");
   } else if (painting.layers.empty()) {
-    throw Error("there is no merged picture in the archive, and no layer that can be read");
+    throw Error("there is no merged picture in the archive, and no layer that can be read" +
+                (painting.notices.empty() ? "" : "; " + painting.notices.front()));
   } else {
     painting.merged = composed(painting);
   }

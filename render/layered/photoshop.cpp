@@ -141,16 +141,6 @@ void note_what_is_lost(const LayerRecord& record, LayerCollector& layers) {
   if (record.has_effects) layers.note("shown without their effects", record.name);
 }
 
-/// In ways that unpacked_rows() knows.
-bool is_packed_plainly(const LayerRecord& record) {
-  PhotoshopBytes bytes(record.pixels);
-  for (const auto& [id, count] : record.channels) {
-    PhotoshopBytes channel(bytes.take(count));
-    if (!channel.is_at_end() && channel.word() > kPackBits) return false;
-  }
-  return true;
-}
-
 /// A group comes after, that is over, what it holds, and its end before.
 void add_layers(const std::vector<LayerRecord>& records, LayerCollector& layers) {
   std::vector<LayerGroup> groups{{}};
@@ -160,9 +150,6 @@ void add_layers(const std::vector<LayerRecord>& records, LayerCollector& layers)
       if (groups.size() > 1) groups.pop_back();
       continue;
     }
-    if (!is_packed_plainly(record))
-      return layers.give_up("Layers that are zipped are only read merged: the layer '" +
-                            record.name + "'");
     const LayerGroup look =
         group_within(groups.back(), {0, 0, 0, record.opacity, record.is_visible});
     if (look.is_visible) note_what_is_lost(record, layers);

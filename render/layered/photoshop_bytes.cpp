@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/layered/photoshop_bytes.h"
 
+#include <zlib.h>
+
 #include "core/error.h"
 
 namespace foldless {
@@ -37,6 +39,22 @@ void unpack_row(std::string_view packed, std::size_t row_bytes, std::string& out
     else
       out += bytes.take(count);
   }
+}
+
+std::string unzipped(std::string_view packed, std::size_t size) {
+  std::string bytes(size, '\0');
+  uLongf length = size;
+  if (uncompress(reinterpret_cast<Bytef*>(bytes.data()), &length,
+                 reinterpret_cast<const Bytef*>(packed.data()), packed.size()) != Z_OK ||
+      length != size)
+    throw Error("the Photoshop file is damaged: zipped pixels cannot be unpacked");
+  return bytes;
+}
+
+/// Each byte is the difference to the one before it in its row.
+void add_up_rows(std::string& planes, std::size_t row_bytes) {
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (i % row_bytes != 0) planes[i] = static_cast<char>(planes[i] + planes[i - 1]);
 }
 
 }  // namespace
@@ -82,10 +100,16 @@ std::string PhotoshopBytes::long_name() {
 }
 
 std::string unpacked_rows(PhotoshopBytes& bytes, const PackedRows& rows) {
+  constexpr unsigned kUnpacked = 0, kPackBits = 1, kZipped = 2, kZippedDifferences = 3;
   const unsigned packing = bytes.word();
   if (packing == kUnpacked) return std::string(bytes.take(rows.wanted * rows.row_bytes));
+  if (packing == kZipped || packing == kZippedDifferences) {
+    std::string planes = unzipped(bytes.take(bytes.left()), rows.wanted * rows.row_bytes);
+    if (packing == kZippedDifferences) add_up_rows(planes, rows.row_bytes);
+    return planes;
+  }
   if (packing != kPackBits)
-    throw Error("the Photoshop file packs its pixels in a way that is not read; save it again");
+    throw Error("the Photoshop file packs its pixels in a way that is not known; save it again");
   PhotoshopBytes lengths(bytes.take(2 * rows.all));
   std::string planes;
   planes.reserve(rows.wanted * rows.row_bytes);

@@ -36,9 +36,6 @@ class PhotoshopBytes {
   std::string_view rest_;
 };
 
-/// How rows may be packed.
-inline constexpr unsigned kUnpacked = 0, kPackBits = 1;
-
 /// How rows of bytes are packed in a file, and how many there are.
 struct PackedRows {
   std::size_t row_bytes;
@@ -47,7 +44,7 @@ struct PackedRows {
 };
 
 /// Takes the packing, then the lengths of all rows where it is PackBits, and unpacks rows; one
-/// plane after the other. Packings but that and none are refused.
+/// plane after the other. What is zipped is taken to its end; its rows hold single bytes.
 std::string unpacked_rows(PhotoshopBytes& bytes, const PackedRows& rows);
 
 }  // namespace foldless

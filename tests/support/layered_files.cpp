@@ -3,6 +3,7 @@
 
 #include <liblzf/lzf.h>
 #include <zip.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -63,19 +64,35 @@ std::string pack_bits(const std::string& row) {
   return packed;
 }
 
+std::string zipped(const std::string& bytes) {
+  std::string packed(compressBound(bytes.size()), '\0');
+  uLongf size = packed.size();
+  compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+           reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  return packed.substr(0, size);
+}
+
+std::string differences_of(std::string row) {
+  for (std::size_t i = row.size(); i-- > 1;) row[i] = static_cast<char>(row[i] - row[i - 1]);
+  return row;
+}
+
 /// The planes of a picture after the word that says how they are packed.
 std::string psd_planes(const Image& image, const std::vector<std::size_t>& channels,
-                       bool is_packed) {
+                       PsdPacking packing) {
   std::string lengths, rows;
   for (const std::size_t c : channels)
     for (int y = 0; y < image.height; ++y) {
       std::string row;
       for (int x = 0; x < image.width; ++x) row += static_cast<char>(image.at(x, y)[c]);
-      if (is_packed) row = pack_bits(row);
+      if (packing == PsdPacking::bits) row = pack_bits(row);
+      if (packing == PsdPacking::differences) row = differences_of(row);
       lengths += big_endian(static_cast<long>(row.size()), 2);
       rows += row;
     }
-  return is_packed ? big_endian(1, 2) + lengths + rows : big_endian(0, 2) + rows;
+  const std::string head = big_endian(static_cast<int>(packing), 2);
+  if (packing == PsdPacking::bits) return head + lengths + rows;
+  return head + (packing == PsdPacking::none ? rows : zipped(rows));
 }
 
 std::string part_of(const std::string& bytes) {
@@ -226,7 +243,7 @@ std::string kra_of(const LayeredImage& painting) {
 }
 
 std::string psd_of(const LayeredImage& painting, const std::vector<PsdLayer>& layers,
-                   bool is_packed) {
+                   PsdPacking packing) {
   // The first channel that is no colour is the merged picture's alpha: a negative count.
   std::string records = big_endian(-static_cast<long>(layers.size()), 2), pixels;
   for (const PsdLayer& psd : layers) {
@@ -237,7 +254,7 @@ std::string psd_of(const LayeredImage& painting, const std::vector<PsdLayer>& la
     records += big_endian(4, 2);
     for (const int channel : {-1, 0, 1, 2}) {
       const std::string plane =
-          psd_planes(image, {channel < 0 ? 3 : static_cast<std::size_t>(channel)}, is_packed);
+          psd_planes(image, {channel < 0 ? 3 : static_cast<std::size_t>(channel)}, packing);
       records += big_endian(channel, 2) + big_endian(static_cast<long>(plane.size()), 4);
       pixels += plane;
     }
@@ -251,13 +268,13 @@ std::string psd_of(const LayeredImage& painting, const std::vector<PsdLayer>& la
          big_endian(painting.height, 4) + big_endian(painting.width, 4) + big_endian(8, 2) +
          big_endian(3, 2) + part_of("") + part_of("") +
          part_of(part_of(records + pixels) + part_of("")) +
-         psd_planes(on_white(painting.merged), {0, 1, 2, 3}, is_packed);
+         psd_planes(on_white(painting.merged), {0, 1, 2, 3}, packing);
 }
 
-std::string psd_of(const LayeredImage& painting, bool is_packed) {
+std::string psd_of(const LayeredImage& painting, PsdPacking packing) {
   std::vector<PsdLayer> layers;
   for (const PictureLayer& layer : painting.layers) layers.push_back({layer});
-  return psd_of(painting, layers, is_packed);
+  return psd_of(painting, layers, packing);
 }
 
 }  // namespace foldless::test

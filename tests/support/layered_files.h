@@ -26,8 +26,9 @@ std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files
 // A painting as the bytes of a file, as the programs write it.
 std::string ora_of(const LayeredImage& painting);
 std::string kra_of(const LayeredImage& painting);
-/// With rows packed, or as they are.
-std::string psd_of(const LayeredImage& painting, bool is_packed = true);
+/// How pixels are packed: as they are, PackBits, zipped, or differences zipped.
+enum class PsdPacking { none, bits, zip, differences };
+std::string psd_of(const LayeredImage& painting, PsdPacking packing = PsdPacking::bits);
 
 // Pieces of such files.
 std::string ora_layer(const PictureLayer& layer, const std::string& source,
@@ -42,7 +43,7 @@ struct PsdLayer {
   std::string mask = {};
 };
 std::string psd_of(const LayeredImage& painting, const std::vector<PsdLayer>& layers,
-                   bool is_packed);
+                   PsdPacking packing);
 /// High byte first.
 std::string big_endian(long value, int bytes);
 

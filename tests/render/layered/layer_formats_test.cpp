@@ -152,6 +152,15 @@ TEST_F(LayerFormats, KritaOfOtherColoursIsReadMerged) {
   EXPECT_NE(read_back.notices[0].find("only read merged"), std::string::npos);
 }
 
+TEST_F(LayerFormats, KritaOfOtherColoursWithoutAMergedPictureSaysWhy) {
+  const std::string bytes =
+      zip_of({{"maindoc.xml",
+               "<DOC><IMAGE name='N' width='9' height='9'><layers><layer name='L' "
+               "nodetype='paintlayer' colorspacename='RGBAF32'/></layers></IMAGE></DOC>"}});
+  EXPECT_NE(refusal(bytes).find("8-bit RGB colours are only read merged: the layer 'L'"),
+            std::string::npos);
+}
+
 TEST_F(LayerFormats, KritaTellsOfLayersThatAreNotPainted) {
   const LayeredImage read_back = read(kra("", "nodetype='shapelayer' colorspacename='RGBA'"));
   ASSERT_EQ(read_back.notices.size(), 1U);
@@ -172,7 +181,7 @@ TEST_F(LayerFormats, PhotoshopGroupsHoldWhatIsBelowThem) {
                                               {block("Out", 2, 0, dot_)},
                                               {hidden, "pass", 1},
                                               {block("Above", 3, 0, dot_), "mul ", -1, "mask"}},
-                                             true));
+                                             PsdPacking::bits));
   ASSERT_EQ(read_back.layers.size(), 4U);
   EXPECT_EQ(read_back.layers[0].name, "Below");
   EXPECT_EQ(read_back.layers[0].opacity, 1);
@@ -186,29 +195,17 @@ TEST_F(LayerFormats, PhotoshopGroupsHoldWhatIsBelowThem) {
 TEST_F(LayerFormats, PhotoshopWithWhatLayersLackIsTheMergedPictureOffItsWhite) {
   LayeredImage painting = painting_of(9, 9, {block("L", 0, 0, plain(9, 9, {200, 100, 0, 80}))});
   painting.merged = plain(9, 9, {10, 60, 120, 102});
-  const LayeredImage read_back = read(psd_of(painting, {{painting.layers[0], "mul "}}, true));
+  const LayeredImage read_back =
+      read(psd_of(painting, {{painting.layers[0], "mul "}}, PsdPacking::bits));
   EXPECT_EQ(read_back.layers.size(), 1U);
   for (int c = 0; c < 4; ++c)
     EXPECT_NEAR(read_back.merged.at(4, 4)[c], painting.merged.at(4, 4)[c], 3) << c;
 }
 
-TEST_F(LayerFormats, PhotoshopWithZippedLayersIsReadMerged) {
-  const LayeredImage painting = painting_of(9, 9, {block("L", 0, 0, plain(9, 9, {8, 7, 6, 255}))});
-  std::string psd = psd_of(painting, false);
-  // The packing of the first channel, after the layer's name.
-  const std::size_t name = psd.find("luni");
-  psd.replace(name + 4 + 4 + 4 + 2, 2, big_endian(2, 2));
-  const LayeredImage read_back = read(psd);
-  EXPECT_TRUE(read_back.layers.empty());
-  EXPECT_EQ(read_back.merged, painting.merged);
-  ASSERT_EQ(read_back.notices.size(), 1U);
-  EXPECT_NE(read_back.notices[0].find("zipped"), std::string::npos);
-}
-
 TEST_F(LayerFormats, PhotoshopOfOtherColoursIsReadMerged) {
   LayeredImage painting = painting_of(9, 9, {block("L", 0, 0, plain(9, 9, {200, 100, 0, 255}))});
   painting.layers.clear();
-  std::string psd = psd_of(painting, false);
+  std::string psd = psd_of(painting, PsdPacking::none);
   psd.replace(24, 2, big_endian(1, 2));  // grey
   const LayeredImage read_back = read(psd);
   EXPECT_TRUE(read_back.layers.empty());

@@ -46,8 +46,10 @@ const std::vector<Format>& formats() {
   static const std::vector<Format> all{
       {"a.ora", ora_of},
       {"a.kra", kra_of},
-      {"a.psd", [](const LayeredImage& painting) { return psd_of(painting, true); }},
-      {"raw.psd", [](const LayeredImage& painting) { return psd_of(painting, false); }}};
+      {"a.psd", [](const LayeredImage& p) { return psd_of(p, PsdPacking::bits); }},
+      {"raw.psd", [](const LayeredImage& p) { return psd_of(p, PsdPacking::none); }},
+      {"zip.psd", [](const LayeredImage& p) { return psd_of(p, PsdPacking::zip); }},
+      {"zipped.psd", [](const LayeredImage& p) { return psd_of(p, PsdPacking::differences); }}};
   return all;
 }
 
@@ -133,7 +135,7 @@ TEST_P(LayeredFile, DamagedIsRefusedInASentence) {
   EXPECT_GT(refused, 40);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, LayeredFile, testing::Range(0, 4));
+INSTANTIATE_TEST_SUITE_P(Formats, LayeredFile, testing::Range(0, 6));
 
 TEST(LayeredImage, ComposesAsLayersArePainted) {
   LayeredImage painting = painting_of(2, 1,
