@@ -65,13 +65,12 @@ MeshedFile mesh_as_a_whole(const MeshCall& call) {
 MeshedFile mesh_by_layer(const MeshCall& call) {
   LayeredImage painting = load_layered(call.image);
   const std::vector<LayerAlpha> layers = layer_alphas(painting);
-  const AlphaMap alpha{painting.width, painting.height, alpha_of(painting.merged)};
   const Vec2 size(painting.width, painting.height);
   return naming_the_file(call, [&]() -> MeshedFile {
     if (layers.empty())
       throw Error("has no layer that can be seen by itself; leave out --layers" +
                   (painting.notices.empty() ? "" : " (" + painting.notices.front() + ")"));
-    LayersMesh made = *mesh_of_layers(layers, size, options_of(call, alpha));
+    LayersMesh made = *mesh_of_layers(layers, size, options_of(call, united(layers, size)));
     for (const std::string& name : made.left_out)
       painting.notices.push_back("nothing of the layer '" + name + "' is opaque enough");
     return {std::move(made.mesh), std::make_shared<const MeshParts>(std::move(made.parts)), size,

@@ -25,8 +25,11 @@ std::shared_ptr<const ImportedImage> read_image(const std::filesystem::path& fil
   imported->layers = layer_alphas(painting);
   imported->notices = std::move(painting.notices);
   if (imported->has_layers()) imported->pieces = layer_pieces(std::move(painting));
+  // Layers may show what the merged picture lacks.
+  const AlphaMap figure =
+      imported->has_layers() ? united(imported->layers, imported->box().max) : imported->alpha;
   for (const MeshDetail detail : {MeshDetail::coarse, MeshDetail::medium, MeshDetail::fine})
-    imported->presets[static_cast<std::size_t>(detail)] = options_for(imported->alpha, detail);
+    imported->presets[static_cast<std::size_t>(detail)] = options_for(figure, detail);
   return imported;
 }
 

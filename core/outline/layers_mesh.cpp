@@ -56,6 +56,17 @@ void take_up(const ImageMesh& layer, ImageMesh& whole) {
 
 }  // namespace
 
+AlphaMap united(std::span<const LayerAlpha> layers, const Vec2& canvas) {
+  AlphaMap all{static_cast<int>(canvas.x()), static_cast<int>(canvas.y()), {}};
+  all.values.resize(static_cast<std::size_t>(all.width) * static_cast<std::size_t>(all.height));
+  for (const LayerAlpha& layer : layers)
+    for (int y = 0; y < layer.alpha.height; ++y) {
+      const auto row = all.values.begin() + static_cast<long>(layer.y + y) * all.width + layer.x;
+      for (int x = 0; x < layer.alpha.width; ++x) row[x] = std::max(row[x], layer.alpha.at(x, y));
+    }
+  return all;
+}
+
 std::optional<LayersMesh> mesh_of_layers(std::span<const LayerAlpha> layers, const Vec2& canvas,
                                          const ImageMeshOptions& options,
                                          const std::stop_token& stop) {

@@ -19,6 +19,10 @@ struct LayersMesh {
   std::vector<std::string> left_out;  ///< layers in which nothing is opaque enough
 };
 
+/// As opaque as the most opaque layer at every pixel: for options_for(). `canvas` is its size, and
+/// layers lie within it.
+AlphaMap united(std::span<const LayerAlpha> layers, const Vec2& canvas);
+
 /// Meshes each layer, bottom to top, as mesh_of_image() does the whole; `canvas` is its size.
 /// Layers lie within it. Nothing if `stop` was requested before it was done. Throws Error as
 /// mesh_of_image().

@@ -100,7 +100,7 @@ TEST_F(LayeredImport, AClickTakesTheFrontPart) {
   }
 }
 
-TEST_F(LayeredImport, SavingRecoveringAndUndoKeepTheParts) {
+TEST_F(LayeredImport, SavingAndUndoKeepTheParts) {
   take();
   const auto parts = editor_->document().parts;
   place(parts->back().first_vertex);

@@ -69,6 +69,16 @@ TEST(LayersMesh, SaysWhatIsWrong) {
             std::string::npos);
 }
 
+TEST(LayersMesh, UnitedLayersAreAsOpaqueAsTheMostOpaque) {
+  const std::vector<LayerAlpha> layers{
+      {"A", 1, 0, alpha_map(2, 2, [](double, double) { return 0.4; })},
+      {"B", 2, 1, opaque_map(2, 1)}};
+  const AlphaMap all = united(layers, Vec2(5, 3));
+  EXPECT_EQ(all.values, (std::vector<std::uint8_t>{0, 102, 102, 0, 0,    //
+                                                   0, 102, 255, 255, 0,  //
+                                                   0, 0, 0, 0, 0}));
+}
+
 TEST(LayersMesh, CanBeStopped) {
   std::stop_source stop;
   stop.request_stop();
