@@ -9,6 +9,7 @@
 #include <jpeglib.h>
 
 #include <array>
+#include <cstdlib>
 
 #include "render/image.h"
 #include "tests/support/temporary_folder.h"

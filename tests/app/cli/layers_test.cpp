@@ -69,7 +69,7 @@ TEST_F(MeshByLayer, WithoutTheOptionThereAreNoParts) {
   const std::string file = write("doll.ora", ora_of(doll()));
   ASSERT_EQ(run({"mesh", file, "-o", folder_ / "doll.json"}).status, 0);
   EXPECT_EQ(load_scene_file(folder_ / "doll.json").scene.parts, nullptr);
-  // The transparent head is threshold for the mesh as a whole too.
+  // The half transparent head is opaque enough here too.
   EXPECT_EQ(wrong_pixels(rendered(), doll().merged, 10), 0);
 }
 
