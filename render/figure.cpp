@@ -118,7 +118,7 @@ struct FigureRenderer::Parts {
   SceneRenderer scene;
   std::optional<RenderTarget> target;
   int samples_asked = 0;
-  std::shared_ptr<const TextureLevels> texture;
+  std::shared_ptr<const TexturePieces> texture;
   std::optional<Box> texture_place;
 };
 
@@ -145,6 +145,7 @@ Image FigureRenderer::render(const Snapshot& snapshot, const FigureOptions& opti
   parts_->context.make_current();
   parts_->fit_target(options);
   parts_->fit_texture(options);
+  parts_->scene.set_parts(options.parts);
   ViewOptions style = options.style;
   const int legend = style.layers.heat ? legend_width(style.ui_scale) : 0;
   const Viewport whole{0, 0, options.width, options.height};

@@ -7,7 +7,7 @@
 #include "core/snapshot.h"
 #include "render/camera.h"
 #include "render/image.h"
-#include "render/texture_levels.h"
+#include "render/texture_pieces.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -29,8 +29,9 @@ struct FigureOptions {
   int samples = 4;   ///< samples a pixel; fewer where the context refuses
   FigureView view = FigureView::deformed;
   ViewOptions style = figure_style();            ///< its pose is set from `view`
-  std::shared_ptr<const TextureLevels> texture;  ///< null: the checkerboard
+  std::shared_ptr<const TexturePieces> texture;  ///< null: the checkerboard
   std::optional<Box> texture_place;              ///< see SceneRenderer::set_texture()
+  std::shared_ptr<const MeshParts> parts;        ///< of the mesh; null: none
   std::optional<Box> frame;      ///< world box to show; absent: the mesh and its targets
   std::optional<Camera> camera;  ///< of every pane but a miniature; absent: it shows the frame
   bool miniature = false;        ///< the deformed mesh once more, small, filled, without its edges

@@ -64,29 +64,46 @@ void upload_colours(const Texture& texture, std::size_t triangles, const ColourO
 FillLayer::FillLayer(const std::filesystem::path& shader_folder)
     : fill_("fill", shader_folder), heat_("heat", shader_folder) {}
 
-void FillLayer::set_texture(const TextureLevels* image, const std::optional<Box>& place) {
-  image_place_ = place;
-  if (image) {
-    image_ = FillTexture(*image);  // made before the old one goes
-  } else {
-    image_.reset();
+void FillLayer::set_texture(const TexturePieces& pieces, const std::optional<Box>& place) {
+  using Beyond = FillTexture::Beyond;
+  std::vector<Piece> made;  // before the old ones go
+  for (const TexturePiece& piece : pieces) {
+    made.push_back({std::nullopt, piece.within});
+    // A layer ends where it was cut down; the mesh has a margin.
+    const Beyond beyond = piece.within == Box{} ? Beyond::edge : Beyond::nothing;
+    if (piece.levels) made.back().image.emplace(*piece.levels, beyond);
   }
+  pieces_ = std::move(made);
+  image_place_ = place;
 }
 
 void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
                      const Checkerboard& board) const {
-  const Box& box = image_ && image_place_ ? *image_place_ : mesh.rest_box();
-  const glm::dvec2 extent = (box.max - box.min) / mesh.local().unit;
   use_in_frame(fill_, frame);
-  fill_.set("box_min", mesh.local().to_local(box.min));
+  const glm::dvec2 extent = (mesh.rest_box().max - mesh.rest_box().min) / mesh.local().unit;
+  fill_.set("box_min", mesh.local().to_local(mesh.rest_box().min));
   fill_.set("box_size", glm::vec2(extent));
   fill_.set("square_size", static_cast<float>(std::max(extent.x, extent.y) / board.squares));
   fill_.set("light", board.light);
   fill_.set("dark", board.dark);
-  fill_.set("is_textured", image_ ? 1 : 0);
+  fill_.set("is_textured", pieces_.empty() ? 0 : 1);
   fill_.set("image", 0);
-  if (image_) image_->bind();
-  mesh.draw_triangles(sheet);
+  if (pieces_.empty()) return mesh.draw_triangles(sheet);
+  for (std::size_t part = 0; part < mesh.part_count(); ++part) {
+    const Piece& piece = pieces_[std::min(part, pieces_.size() - 1)];
+    if (!piece.image || !mesh.has_triangles(sheet, part)) continue;
+    use_image(piece, mesh);
+    mesh.draw_triangles(sheet, part);
+  }
+}
+
+void FillLayer::use_image(const Piece& piece, const MeshLayer& mesh) const {
+  const Box& whole = image_place_ ? *image_place_ : mesh.rest_box();
+  const glm::dvec2 extent = whole.max - whole.min;
+  fill_.set("box_min", mesh.local().to_local(whole.min + piece.within.min * extent));
+  fill_.set("box_size",
+            glm::vec2((piece.within.max - piece.within.min) * extent / mesh.local().unit));
+  piece.image->bind();
 }
 
 void FillLayer::draw_folded(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,

@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "render/distortion.h"
 #include "render/draw_state.h"
 #include "render/fill_texture.h"
 #include "render/mesh_layer.h"
+#include "render/texture_pieces.h"
 #include "render/theme.h"
 
 namespace foldless {
@@ -25,13 +27,14 @@ class FillLayer {
  public:
   explicit FillLayer(const std::filesystem::path& shader_folder);
 
-  /// An image instead of the checkerboard, or the checkerboard again. The image fills `place` of
-  /// the rest plane; absent: the box of the rest mesh. Throws Error as FillTexture.
-  void set_texture(const TextureLevels* image, const std::optional<Box>& place = std::nullopt);
+  /// Images instead of the checkerboard, or with none the checkerboard again: one for the mesh, or
+  /// one for each of its parts. What they are pieces of fills `place` of the rest plane; absent:
+  /// the box of the rest mesh. Throws Error as FillTexture.
+  void set_texture(const TexturePieces& pieces, const std::optional<Box>& place = std::nullopt);
 
   // Each draws one sheet of the mesh.
 
-  /// The image, or else the checkerboard.
+  /// The images, or else the checkerboard.
   void draw(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
             const Checkerboard& board) const;
   /// The triangles that are clockwise on screen, in one colour: the folded ones.
@@ -51,12 +54,19 @@ class FillLayer {
   void upload_stiffness(const MeshLayer& mesh, std::span<const float> factors);
 
  private:
+  /// An image on the graphics card, or nothing.
+  struct Piece {
+    std::optional<FillTexture> image;
+    Box within;
+  };
+
+  void use_image(const Piece& piece, const MeshLayer& mesh) const;
   void draw_colours(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
                     const Texture& colours) const;
 
   ShaderProgram fill_;
   ShaderProgram heat_;
-  std::optional<FillTexture> image_;
+  std::vector<Piece> pieces_;
   std::optional<Box> image_place_;
   Texture heat_colours_;
   Texture stiffness_colours_;

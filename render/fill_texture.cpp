@@ -21,7 +21,7 @@ void check_size(const TextureLevels& levels) {
 
 }  // namespace
 
-FillTexture::FillTexture(const TextureLevels& levels) {
+FillTexture::FillTexture(const TextureLevels& levels, Beyond beyond) {
   check_size(levels);
   glBindTexture(GL_TEXTURE_2D, texture_.id());
   // Before the image, so that room for the mipmaps is made with it and not in a second copy.
@@ -33,8 +33,10 @@ FillTexture::FillTexture(const TextureLevels& levels) {
     glTexImage2D(GL_TEXTURE_2D, level++, GL_RGBA8, image.width, image.height, 0, GL_RGBA,
                  GL_UNSIGNED_BYTE, image.pixels.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  // The colour of a border is transparent unless another is set.
+  const GLint wrap = beyond == Beyond::edge ? GL_CLAMP_TO_EDGE : GL_CLAMP_TO_BORDER;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 

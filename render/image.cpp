@@ -48,11 +48,16 @@ std::pair<std::string, std::string> text_of(const PngChunk& chunk) {
 
 }  // namespace
 
+std::span<const std::string_view> image_extensions() {
+  static constexpr std::array<std::string_view, 7> kExtensions{".png", ".jpg", ".jpeg", ".webp",
+                                                               ".ora", ".kra", ".psd"};
+  return kExtensions;
+}
+
 bool is_image_file(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  static constexpr std::array<std::string_view, 4> kExtensions{".png", ".jpg", ".jpeg", ".webp"};
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+  return std::ranges::find(image_extensions(), extension) != image_extensions().end();
 }
 
 std::vector<std::uint8_t> alpha_of(const Image& image) {

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace foldless {
@@ -41,13 +43,21 @@ std::vector<std::uint8_t> alpha_of(const Image& image);
 /// Keyword → text of a picture: what is drawn and how it came about, e.g. Scene, Iteration, Energy.
 using ImageTexts = std::map<std::string, std::string>;
 
-/// True for the names of such files: .png, .jpg, .jpeg and .webp in any case.
+/// How the names of files end that load_image() reads: ".png" and so on.
+std::span<const std::string_view> image_extensions();
+/// True for the names of such files, in any case.
 bool is_image_file(const std::filesystem::path& file);
 
-/// Reads a PNG, JPEG (CMYK too) or WebP; its first bytes tell which. Throws Error when the file
-/// cannot be read, is none of these, is damaged, or is larger than 16384 pixels a side or 100
-/// million in all.
+/// Reads a PNG, JPEG (CMYK too) or WebP, or the merged picture of an OpenRaster, Krita or Photoshop
+/// file; its first bytes tell which. Throws Error when the file cannot be read, is none of these,
+/// is damaged, or is larger than 16384 pixels a side or 100 million in all.
 Image load_image(const std::filesystem::path& path);
+
+/// As load_image(), from the bytes of a PNG, JPEG or WebP. What it throws names no file.
+Image decode_image(std::string_view bytes);
+
+/// Throws Error on a size in pixels that load_image() refuses; for use before memory is taken.
+void check_image_size(long width, long height);
 
 /// PNG bytes of the image, its texts as Latin-1 or UTF-8 text chunks. Throws Error on an empty
 /// image.

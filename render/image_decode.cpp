@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "render/image.h"
+#include "render/layered/layer_formats.h"
 #include "render/png_chunks.h"
 
 namespace foldless {
@@ -23,17 +24,6 @@ constexpr long kMostPixels = 100'000'000;
 
 const unsigned char* bytes_of(std::string_view file) {
   return reinterpret_cast<const unsigned char*>(file.data());
-}
-
-/// Refused before any memory is asked for.
-void check_size(long width, long height) {
-  if (width < 1 || height < 1) throw Error("the image has no pixels");
-  if (width > kLongestSide || height > kLongestSide)
-    throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
-                " pixels; scale it down to " + std::to_string(kLongestSide) + " a side or less");
-  if (width * height > kMostPixels)
-    throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
-                " pixels; scale it down to " + std::to_string(kMostPixels) + " in all or less");
 }
 
 /// The chunks that make the picture. For texts and profiles libpng takes as much memory as they ask
@@ -67,7 +57,7 @@ Image decode_png(std::string_view whole) {
     return Error(std::string("the PNG image is damaged (") + png.image.message + ")");
   };
   if (!png_image_begin_read_from_memory(&png.image, file.data(), file.size())) throw damaged();
-  check_size(png.image.width, png.image.height);
+  check_image_size(png.image.width, png.image.height);
   png.image.format = PNG_FORMAT_RGBA;
   Image image(static_cast<int>(png.image.width), static_cast<int>(png.image.height));
   if (!png_image_finish_read(&png.image, nullptr, image.pixels.data(), 0, nullptr)) throw damaged();
@@ -98,7 +88,7 @@ Image decode_jpeg(std::string_view file) {
   if (tjDecompressHeader3(jpeg.get(), bytes_of(file), file.size(), &width, &height, &subsampling,
                           &colour_space) != 0)
     throw damaged();
-  check_size(width, height);
+  check_image_size(width, height);
   Image image(width, height);
   const bool is_cmyk = colour_space == TJCS_CMYK || colour_space == TJCS_YCCK;
   if (tjDecompress2(jpeg.get(), bytes_of(file), file.size(), image.pixels.data(), width, 0, height,
@@ -112,7 +102,7 @@ Image decode_webp(std::string_view file) {
   int width = 0, height = 0;
   if (!WebPGetInfo(bytes_of(file), file.size(), &width, &height))
     throw Error("the WebP image is damaged");
-  check_size(width, height);
+  check_image_size(width, height);
   Image image(width, height);
   if (!WebPDecodeRGBAInto(bytes_of(file), file.size(), image.pixels.data(), image.pixels.size(),
                           4 * width))
@@ -124,19 +114,30 @@ bool is_webp(std::string_view file) {
   return file.starts_with("RIFF") && file.size() > 12 && file.substr(8, 4) == "WEBP";
 }
 
-Image decode(std::string_view file) {
-  if (file.starts_with(kPngSignature)) return decode_png(file);
-  if (file.starts_with("\xFF\xD8\xFF")) return decode_jpeg(file);
-  if (is_webp(file)) return decode_webp(file);
-  throw Error("is not a PNG, JPEG or WebP image");
+}  // namespace
+
+void check_image_size(long width, long height) {
+  if (width < 1 || height < 1) throw Error("the image has no pixels");
+  if (width > kLongestSide || height > kLongestSide)
+    throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
+                " pixels; scale it down to " + std::to_string(kLongestSide) + " a side or less");
+  if (width * height > kMostPixels)
+    throw Error("the image has " + std::to_string(width) + " x " + std::to_string(height) +
+                " pixels; scale it down to " + std::to_string(kMostPixels) + " in all or less");
 }
 
-}  // namespace
+Image decode_image(std::string_view bytes) {
+  if (bytes.starts_with(kPngSignature)) return decode_png(bytes);
+  if (bytes.starts_with("\xFF\xD8\xFF")) return decode_jpeg(bytes);
+  if (is_webp(bytes)) return decode_webp(bytes);
+  throw Error("is not a PNG, JPEG or WebP image");
+}
 
 Image load_image(const std::filesystem::path& path) {
   const std::string file = read_file(path);
   try {
-    return decode(file);
+    if (is_layered(file)) return decode_layered(file, LayeredParts::merged).merged;
+    return decode_image(file);
   } catch (const Error& error) {
     throw Error(path.string() + ": " + error.what());
   }

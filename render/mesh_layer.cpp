@@ -53,6 +53,13 @@ MeshLayer::MeshLayer() {
   glBindVertexArray(0);
 }
 
+void MeshLayer::set_parts(std::shared_ptr<const MeshParts> parts) {
+  if (parts == mesh_parts_) return;
+  mesh_parts_ = std::move(parts);
+  paint_order_.set_parts(mesh_parts_);
+  revision_.reset();
+}
+
 void MeshLayer::update(const Snapshot& snapshot, Pose pose) {
   const Points& points = pose == Pose::rest ? *snapshot.rest : snapshot.deformed;
   const bool is_new = revision_ != snapshot.revision || flipped_edges_ != flipped_of(snapshot);
@@ -82,13 +89,20 @@ void MeshLayer::adopt_connectivity(const Snapshot& snapshot) {
     const MeshEdge* found = find_edge(interior, a, b);
     flipped.push_back(found ? *found : MeshEdge{a, b});
   }
+  const MeshParts none;
+  const MeshParts& parts = mesh_parts_ ? *mesh_parts_ : none;
+  parts_ = parts_of_triangles(*snapshot.triangles, static_cast<int>(snapshot.rest->cols()), parts);
+  part_count_ = std::max<std::size_t>(1, parts.size());
   mesh_edges_ = {std::move(interior), std::move(boundary), std::move(flipped)};
   revision_ = snapshot.revision;
 }
 
 void MeshLayer::upload_indices() {
   const int most = sheets_.empty() ? 0 : *std::ranges::max_element(sheets_);
-  LayerLists lists = layer_lists(sheets_, static_cast<std::size_t>(most) + 1);
+  std::vector<int> places(sheets_.size());
+  for (std::size_t t = 0; t < places.size(); ++t)
+    places[t] = sheets_[t] * static_cast<int>(part_count_) + parts_[t];
+  LayerLists lists = layer_lists(places, (static_cast<std::size_t>(most) + 1) * part_count_);
   order_ = std::move(lists.order);
   triangle_starts_ = std::move(lists.first);
   std::vector<std::uint32_t> indices;
@@ -136,7 +150,16 @@ void MeshLayer::upload_points(const Buffer& buffer, const Points& points) {
 }
 
 void MeshLayer::draw_triangles(std::size_t sheet) const {
-  const std::size_t first = triangle_starts_[sheet], end = triangle_starts_[sheet + 1];
+  draw_range(triangle_starts_[sheet * part_count_], triangle_starts_[(sheet + 1) * part_count_]);
+}
+
+void MeshLayer::draw_triangles(std::size_t sheet, std::size_t part) const {
+  const std::size_t place = sheet * part_count_ + part;
+  draw_range(triangle_starts_[place], triangle_starts_[place + 1]);
+}
+
+void MeshLayer::draw_range(std::size_t first, std::size_t end) const {
+  if (first == end) return;
   glBindVertexArray(faces_.id());
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (end - first)), GL_UNSIGNED_INT,
                  reinterpret_cast<const void*>(3 * first * sizeof(std::uint32_t)));

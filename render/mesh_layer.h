@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -28,18 +29,30 @@ class MeshLayer {
  public:
   MeshLayer();
 
+  /// The parts of the meshes to come; null: none, which counts as one.
+  void set_parts(std::shared_ptr<const MeshParts> parts);
+
   /// Precondition: the snapshot has triangles and a rest mesh.
   void update(const Snapshot& snapshot, Pose pose);
 
   /// At least one.
-  std::size_t sheet_count() const { return triangle_starts_.size() - 1; }
+  std::size_t sheet_count() const { return (triangle_starts_.size() - 1) / part_count_; }
+  std::size_t part_count() const { return part_count_; }
   /// Draws with the program in use: attribute 0 is the position, 1 the rest position.
   void draw_triangles(std::size_t sheet) const;
+  /// Those of one part, if there are any.
+  void draw_triangles(std::size_t sheet, std::size_t part) const;
+  bool has_triangles(std::size_t sheet, std::size_t part) const {
+    const std::size_t place = sheet * part_count_ + part;
+    return triangle_starts_[place] < triangle_starts_[place + 1];
+  }
   /// Which triangle is drawn as the first, the second …; gl_PrimitiveID counts in this order, from
   /// 0 in every sheet.
   const std::vector<int>& order() const { return order_; }
   /// Place in order() of a sheet's first triangle.
-  std::size_t first_triangle(std::size_t sheet) const { return triangle_starts_[sheet]; }
+  std::size_t first_triangle(std::size_t sheet) const {
+    return triangle_starts_[sheet * part_count_];
+  }
   /// GL_LINES of a set of edges in the pose of the last update. An edge of two sheets belongs to
   /// the one in front.
   void draw_edges(EdgeSet set, std::size_t sheet) const;
@@ -56,6 +69,7 @@ class MeshLayer {
  private:
   void adopt_connectivity(const Snapshot& snapshot);
   void upload_indices();
+  void draw_range(std::size_t first, std::size_t end) const;
   void append_lines(std::vector<std::uint32_t>& lines, EdgeSet set);
   void upload_points(const Buffer& buffer, const Points& points);
   static void draw_lines(const VertexArray& lines, std::size_t first, std::size_t end);
@@ -68,9 +82,13 @@ class MeshLayer {
   VertexArray lines_;       ///< positions, edges
   VertexArray rest_lines_;  ///< rest, edges
   PaintOrder paint_order_;
+  std::shared_ptr<const MeshParts> mesh_parts_;
+  std::vector<int> parts_;  ///< of every triangle
+  std::size_t part_count_ = 1;
   std::vector<int> sheets_;  ///< of every triangle, as it is on the card
   std::vector<int> order_;
-  std::vector<std::size_t> triangle_starts_{0, 0};       ///< of the sheets in order_
+  /// In order_, of the parts of the first sheet, of those of the second, …
+  std::vector<std::size_t> triangle_starts_{0, 0};
   std::array<std::vector<std::size_t>, 3> edge_starts_;  ///< by EdgeSet, in the edge buffer
   std::vector<std::uint32_t> corners_;                   ///< three a triangle
   std::array<std::vector<MeshEdge>, 3> mesh_edges_;      ///< by EdgeSet

@@ -106,15 +106,19 @@ SceneRenderer::~SceneRenderer() = default;
 SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
-void SceneRenderer::set_texture(const TextureLevels& image, const std::optional<Box>& place) {
-  parts_->fill.set_texture(&image, place);
+void SceneRenderer::set_texture(const TexturePieces& pieces, const std::optional<Box>& place) {
+  parts_->fill.set_texture(pieces, place);
 }
 
 void SceneRenderer::set_texture(const Image& image, const std::optional<Box>& place) {
-  set_texture(texture_levels(image), place);
+  set_texture(*whole_texture(image), place);
 }
 
-void SceneRenderer::clear_texture() { parts_->fill.set_texture(nullptr); }
+void SceneRenderer::clear_texture() { parts_->fill.set_texture({}); }
+
+void SceneRenderer::set_parts(std::shared_ptr<const MeshParts> parts) {
+  parts_->mesh.set_parts(std::move(parts));
+}
 
 void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
                          const ViewOptions& options) {

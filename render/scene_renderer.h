@@ -12,7 +12,7 @@
 #include "render/distortion.h"
 #include "render/image.h"
 #include "render/render_stats.h"
-#include "render/texture_levels.h"
+#include "render/texture_pieces.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -50,12 +50,16 @@ class SceneRenderer {
   SceneRenderer(SceneRenderer&&) noexcept;
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
-  /// Fills the mesh with an image from now on: `place` in the rest plane ↔ the whole image; absent:
-  /// the box of the rest mesh.
-  void set_texture(const TextureLevels& image, const std::optional<Box>& place = std::nullopt);
+  /// Fills the mesh with an image from now on, or each of its parts with its own: `place` in the
+  /// rest plane ↔ the picture as a whole; absent: the box of the rest mesh.
+  void set_texture(const TexturePieces& pieces, const std::optional<Box>& place = std::nullopt);
   void set_texture(const Image& image, const std::optional<Box>& place = std::nullopt);
   /// Back to the checkerboard.
   void clear_texture();
+
+  /// The parts of the meshes from now on; null: none. Of two that overlap the one with the greater
+  /// depth is in front.
+  void set_parts(std::shared_ptr<const MeshParts> parts);
 
   /// Uploads positions, and connectivity only when Snapshot::revision changed, then draws.
   void draw(const Snapshot& snapshot, const SceneView& view, const ViewOptions& options);

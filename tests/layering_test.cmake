@@ -6,7 +6,7 @@
 # root; the others are listed with their angle bracket.
 set(STD "<[a-z_]+>")
 set(POSIX "<(fcntl|unistd|poll|pthread|spawn|signal|sys/[a-z]+)\\.h>")
-set(IMAGE_CODECS "<(png|turbojpeg|webp/[a-z_]+)\\.h>")
+set(IMAGE_CODECS "<(png|turbojpeg|webp/[a-z_]+|zip|zlib|liblzf/lzf)\\.h>|<pugixml\\.hpp>")
 set(CORE "core/(error|handle|iteration|snapshot|stage_times|data_path)\\.h")
 set(PLAIN "${STD}|${POSIX}")
 
@@ -77,10 +77,10 @@ may_include("core/run/.*" "${METHOD}|core/run/.*")
 may_include("core/[^/]+" "${BASE}|core/mesh/.*")
 
 # 1. What the renderer and the application may see.
-set(RENDER_OF_CORE "core/(error|handle|iteration|snapshot|data_path|depth/paint_order|files/atomic_file|mesh/triangle)\\.h")
+set(RENDER_OF_CORE "core/(error|handle|iteration|snapshot|data_path|depth/paint_order|files/atomic_file|mesh/(parts|triangle)|outline/alpha_map)\\.h")
 set(GRAPHICS "<(glad/gl|GL/osmesa|imgui)\\.h>|<glm/.*>")
 may_include("render/.*" "${PLAIN}|${RENDER_OF_CORE}|render/.*|${GRAPHICS}|${IMAGE_CODECS}|<Eigen/.*>")
-set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|image|texture_levels|view_options)\\.h|app/editor/.*")
+set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|image|layered/layered_image|texture_levels|texture_pieces|view_options)\\.h|app/editor/.*")
 may_include("app/editor/.*" "${EDITOR}")
 may_include("app/export/.*" "${BASE}|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
 may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|app/exit_status\\.h|<(glad/gl|imgui.*|GLFW/glfw3|fontconfig/.*)\\.h>")

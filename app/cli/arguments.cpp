@@ -89,10 +89,13 @@ CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, bool& is_tra
 
 CLI::App* add_mesh(CLI::App& app, MeshCall& call) {
   CLI::App* mesh = app.add_subcommand("mesh", "make a triangle mesh of what an image shows");
-  mesh->add_option("IMAGE", call.image, "PNG, JPEG or WebP; transparent is outside")->required();
+  mesh->add_option("IMAGE", call.image,
+                   "PNG, JPEG, WebP, OpenRaster, Krita or Photoshop; transparent is outside")
+      ->required();
   mesh->add_option("-o,--output", call.output, "scene with the image as texture, or mesh")
       ->required()
       ->type_name("OUT.json|OUT.obj");
+  mesh->add_flag("--layers", call.by_layer, "a part of the mesh for every layer of the file");
   mesh->add_option("--edge-length", call.edge_length, "no edge is longer")->type_name("PX");
   mesh->add_option("--margin", call.margin, "pixels that the outline keeps away from the figure")
       ->type_name("PX");

@@ -62,6 +62,7 @@ struct RenderCall {
 struct MeshCall {
   std::filesystem::path image;
   std::filesystem::path output;  ///< `.json` for a scene, or a mesh
+  bool by_layer = false;         ///< a part for every layer
   std::optional<double> threshold, margin, simplify, edge_length, min_angle;
 };
 

@@ -2,7 +2,9 @@
 #include <array>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/cli/calls.h"
@@ -14,9 +16,9 @@
 #include "core/files/mesh_io.h"
 #include "core/files/mesh_source.h"
 #include "core/files/mesh_text.h"
-#include "core/outline/image_mesh.h"
+#include "core/outline/layers_mesh.h"
 #include "core/scene/scene_io.h"
-#include "render/image.h"
+#include "render/layered/layered_image.h"
 
 namespace foldless {
 namespace {
@@ -33,34 +35,70 @@ ImageMeshOptions options_of(const MeshCall& call, const AlphaMap& alpha) {
   return options;
 }
 
+/// What was made of a file.
+struct MeshedFile {
+  ImageMesh mesh;
+  std::shared_ptr<const MeshParts> parts;  ///< null: none
+  Vec2 size;                               ///< of the picture, pixels
+  std::vector<std::string> notices;
+};
+
 /// Errors of the outline know no file.
-ImageMesh mesh_of(const MeshCall& call, const AlphaMap& alpha) {
+template <typename Make>
+auto naming_the_file(const MeshCall& call, const Make& make) {
   try {
-    return *mesh_of_image(alpha, options_of(call, alpha));
+    return make();
   } catch (const Error& error) {
     throw Error(call.image.string() + ": " + error.what());
   }
 }
 
-void write_scene(const MeshCall& call, const Shape& shape, const Vec2& size) {
+MeshedFile mesh_as_a_whole(const MeshCall& call) {
+  const Image image = load_image(call.image);
+  const AlphaMap alpha{image.width, image.height, alpha_of(image)};
+  return naming_the_file(call, [&]() -> MeshedFile {
+    return {
+        *mesh_of_image(alpha, options_of(call, alpha)), nullptr, {image.width, image.height}, {}};
+  });
+}
+
+MeshedFile mesh_by_layer(const MeshCall& call) {
+  LayeredImage painting = load_layered(call.image);
+  const std::vector<LayerAlpha> layers = layer_alphas(painting);
+  const Vec2 size(painting.width, painting.height);
+  return naming_the_file(call, [&]() -> MeshedFile {
+    if (layers.empty())
+      throw Error("has no layer that can be seen by itself; leave out --layers" +
+                  (painting.notices.empty() ? "" : " (" + painting.notices.front() + ")"));
+    LayersMesh made = *mesh_of_layers(layers, size, options_of(call, united(layers, size)));
+    for (const std::string& name : made.left_out)
+      painting.notices.push_back("nothing of the layer '" + name + "' is opaque enough");
+    return {std::move(made.mesh), std::make_shared<const MeshParts>(std::move(made.parts)), size,
+            std::move(painting.notices)};
+  });
+}
+
+void write_scene(const MeshCall& call, const MeshedFile& made) {
   Scene scene;
   scene.folder = fs::absolute(call.output).lexically_normal().parent_path();
-  scene.triangles = shape.triangles;
-  scene.rest = shape.rest;
+  scene.triangles = made.mesh.shape.triangles;
+  scene.rest = made.mesh.shape.rest;
+  scene.parts = made.parts;
   scene.texture_path = fs::absolute(call.image)
                            .lexically_normal()
                            .lexically_proximate(scene.folder)
                            .generic_string();
-  scene.texture_box = TextureBox{Vec2::Zero(), size};
+  scene.texture_box = TextureBox{Vec2::Zero(), made.size};
   scene.energy = find_density("arap");
   save_scene(scene, call.output);
 }
 
-void write(const MeshCall& call, const Shape& shape, const Vec2& size) {
-  if (call.output.extension() == ".json") return write_scene(call, shape, size);
+void write(const MeshCall& call, const MeshedFile& made) {
+  if (call.output.extension() == ".json") return write_scene(call, made);
+  const Shape& shape = made.mesh.shape;
   if (call.output.extension() != ".obj")
     return write_mesh(call.output, shape.triangles, shape.rest);
-  const Points in_image = size.cwiseInverse().asDiagonal() * shape.rest;
+  const Points in_image = made.size.cwiseInverse().asDiagonal() * shape.rest;
   write_file_atomically(call.output, textured_obj_text(shape.triangles, shape.rest, in_image));
 }
 
@@ -92,12 +130,11 @@ int mesh(const MeshCall& call) {
     throw Error(call.output.string() +
                 ": end the name with .json for a scene, or with .obj, .off " +
                 "or .ply for a mesh");
-  const Image image = load_image(call.image);
-  const AlphaMap alpha{image.width, image.height, alpha_of(image)};
-  const ImageMesh result = mesh_of(call, alpha);
-  write(call, result.shape, {image.width, image.height});
-  print_notices(notices_of(result));
-  print(result);
+  const MeshedFile made = call.by_layer ? mesh_by_layer(call) : mesh_as_a_whole(call);
+  write(call, made);
+  print_notices(made.notices);
+  print_notices(notices_of(made.mesh));
+  print(made.mesh);
   return kExitDone;
 }
 

@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <string_view>
+#include <utility>
 
 #include "core/method/methods.h"
 
@@ -27,6 +28,13 @@ std::optional<Box> texture_place(const Scene& scene) {
   if (!scene.texture_box) return std::nullopt;
   const auto& [min, max] = *scene.texture_box;
   return Box{{min.x(), min.y()}, {max.x(), max.y()}};
+}
+
+std::shared_ptr<const TexturePieces> read_texture(const std::filesystem::path& file,
+                                                  const std::shared_ptr<const MeshParts>& parts) {
+  LoadedTexture texture = load_texture(file, parts.get());
+  print_notices(texture.notices);
+  return std::move(texture.pieces);
 }
 
 void print_notices(const std::vector<std::string>& notices) {

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/method/method.h"
 #include "core/scene/scene_io.h"
-#include "render/camera.h"
+#include "render/texture_pieces.h"
 
 namespace foldless {
 
@@ -20,6 +21,10 @@ Problem problem_of(const Scene& scene);
 
 /// Where the scene's texture lies, for the renderer.
 std::optional<Box> texture_place(const Scene& scene);
+
+/// The texture of a mesh with these parts; prints a note on what of it is missing. Throws Error.
+std::shared_ptr<const TexturePieces> read_texture(const std::filesystem::path& file,
+                                                  const std::shared_ptr<const MeshParts>& parts);
 
 /// Prints `foldless: note: …` on stderr, one line each.
 void print_notices(const std::vector<std::string>& notices);

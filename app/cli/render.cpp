@@ -23,6 +23,7 @@ struct Subject {
   Snapshot snapshot;
   std::optional<fs::path> texture;
   std::optional<Box> texture_place = std::nullopt;
+  std::shared_ptr<const MeshParts> parts = nullptr;
 };
 
 Snapshot snapshot_of(const Problem& problem) {
@@ -44,6 +45,7 @@ Subject subject_of(const LoadedScene& loaded) {
   Subject subject{snapshot_of(problem_of(scene)), std::nullopt};
   if (!scene.texture_path.empty()) subject.texture = scene.folder / scene.texture_path;
   subject.texture_place = texture_place(scene);
+  subject.parts = scene.parts;
   return subject;
 }
 
@@ -74,10 +76,9 @@ int render(const RenderCall& call) {
   Subject subject = read_subject(call.file);
   if (call.texture) subject.texture = call.texture;
   FigureOptions figure = call.figure;
-  if (subject.texture)
-    figure.texture =
-        std::make_shared<const TextureLevels>(texture_levels(load_image(*subject.texture)));
+  if (subject.texture) figure.texture = read_texture(*subject.texture, subject.parts);
   figure.texture_place = subject.texture_place;
+  figure.parts = subject.parts;
   if (call.background) figure.style.background = Background::transparent;
   Image picture = render_figure(subject.snapshot, figure);
   if (call.background) lay_on(*call.background, picture);

@@ -43,9 +43,9 @@ std::optional<FigureOptions> figure_of(const SolveCall& call, const Scene& scene
   if (call.threads) setenv("LP_NUM_THREADS", std::to_string(*call.threads).c_str(), 1);
   FigureOptions figure;
   if (!scene.texture_path.empty())
-    figure.texture = std::make_shared<const TextureLevels>(
-        texture_levels(load_image(scene.folder / scene.texture_path)));
+    figure.texture = read_texture(scene.folder / scene.texture_path, scene.parts);
   figure.texture_place = texture_place(scene);
+  figure.parts = scene.parts;
   return figure;
 }
 

@@ -144,6 +144,7 @@ std::vector<Command> file_commands() {
       {"file.save", "File", "Save", {{Key::s, kControl}}, has_mesh, call<&DocumentFiles::save>},
       {"file.save_as", "File", "Save as\u2026", {{Key::s, kControlShift}}, has_mesh, ask<Request::save_dialog>},
       {"file.texture", "File", "Choose texture\u2026", {}, has_mesh, ask<Request::texture_dialog>},
+      {"file.reload_texture", "File", "Reload picture", {}, has_texture, call<&DocumentFiles::reload_texture>},
       {"file.clear_texture", "File", "Remove texture", {}, has_texture, call<&DocumentFiles::clear_texture>},
       {"file.snapshot", "File", "Save picture", {{Key::f12, kNone}}, has_mesh, ask<Request::write_snapshot>},
       {"file.export", "File", "Export\u2026", {{Key::e, kControl}}, has_mesh, ask<Request::export_dialog>},

@@ -35,10 +35,11 @@ struct Document {
   int next_handle_id = 0;                      ///< ids are never used twice
   const Density* energy = nullptr;             ///< a row of densities(), never null
   Parameters parameters;
-  std::filesystem::path texture;          ///< absolute path of an image; empty: checkerboard
-  std::optional<TextureBox> texture_box;  ///< absent: the box of the rest mesh
-  std::string name;                       ///< of the mesh, for the title
-  std::string description;                ///< one line on what to look at; may be empty
+  std::filesystem::path texture;           ///< absolute path of an image; empty: checkerboard
+  std::optional<TextureBox> texture_box;   ///< absent: the box of the rest mesh
+  std::shared_ptr<const MeshParts> parts;  ///< that show layers of the texture; null: none
+  std::string name;                        ///< of the mesh, for the title
+  std::string description;                 ///< one line on what to look at; may be empty
   Standing standing;
 
   bool is_empty() const { return original == nullptr; }

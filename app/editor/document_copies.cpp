@@ -39,7 +39,8 @@ void DocumentFiles::open_recovered() {
   const std::string time = recovery_.time(recovery_.selected());
   const std::size_t others = recovery_.count() - 1;
   if (const auto image = recovery_.texture_image().image())
-    texture_image_.adopt(work->document.texture, image);
+    texture_image_.adopt(work->document.texture, work->document.parts, image,
+                         recovery_.texture_image().stamp());
   AutosaveFolder folder = recovery_.take();
   install(work->document, "Recover " + origin.name);
   if (work->view) view_.read(*work->view);

@@ -105,6 +105,8 @@ class DocumentFiles {
 
   void set_texture(const std::filesystem::path& path);
   void clear_texture();
+  /// Reads the image of the texture again, which happens by itself when its file has changed.
+  void reload_texture();
   /// The image of the document's texture, or null: none, or not read yet.
   const TextureImage& texture_image() const { return texture_image_; }
 
@@ -140,6 +142,7 @@ class DocumentFiles {
   ImageImport import_;
   bool takes_image_ = false;  ///< as soon as it is ready
   TextureImage texture_image_;
+  double looked_at_texture_ = 0;  ///< whether its file has changed [s]
   Autosave autosave_;
   Recovery recovery_;
 };

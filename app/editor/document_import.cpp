@@ -29,17 +29,31 @@ void DocumentFiles::update_import() {
   }
   if (!takes_image_ || !import_.is_ready()) return;
   const auto image = import_.image();
-  const Document document = import_.mesh()->document;
-  texture_image_.adopt(image->file, image->texture);
+  const std::shared_ptr<const ImportedMesh> mesh = import_.mesh();
+  const Document& document = mesh->document;
+  texture_image_.adopt(image->file, document.parts, mesh->texture, image->stamp);
   install(document, "Open " + image->file.filename().string());
   view_.options().layers = {.wireframe = false, .boundary = false};  // the picture alone
   recent_.add(image->file);
 }
 
+void DocumentFiles::reload_texture() { texture_image_.refresh(true); }
+
 void DocumentFiles::follow_texture() {
-  texture_image_.follow(draft_.document().texture);
+  constexpr double kBetweenLooks = 1;  // seconds
+  texture_image_.follow(draft_.document().texture, draft_.document().parts);
+  // There is a frame when the window gets the focus back, from the program that painted.
+  if (messages_.now() - looked_at_texture_ >= kBetweenLooks) {
+    looked_at_texture_ = messages_.now();
+    texture_image_.refresh();
+  }
   if (!texture_image_.poll()) return;
   messages_.redraw();
+  if (texture_image_.is_refreshed() && texture_image_.problem().empty())
+    messages_.toast(ToastKind::notice,
+                    "Read " + draft_.document().texture.filename().string() + " again");
+  for (const std::string& notice : texture_image_.notices())
+    messages_.toast(ToastKind::notice, notice);
   if (!texture_image_.problem().empty())
     messages_.toast(ToastKind::error, texture_image_.problem());
 }

@@ -48,6 +48,7 @@ const std::shared_ptr<const Snapshot>& Draft::pose_on_screen() const {
 
 void Draft::refresh_shown() {
   messages_.redraw();
+  paint_order_.set_parts(document_.parts);
   const std::shared_ptr<const Snapshot>& pose = pose_on_screen();
   if (document_.is_empty()) {
     shown_ = nullptr;

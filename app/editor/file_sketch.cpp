@@ -16,14 +16,10 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 30'000'000;  // bytes
 
-std::shared_ptr<const TextureLevels> read_levels(const std::filesystem::path& file) {
-  return std::make_shared<const TextureLevels>(texture_levels(load_image(file)));
-}
-
 /// A rectangle of the image's proportions.
 FileSketch sketch_of_image(const std::filesystem::path& file) {
-  FileSketch sketch{nullptr, read_levels(file), std::nullopt};
-  const Image& image = sketch.image->front();
+  FileSketch sketch{nullptr, whole_texture(load_image(file)), std::nullopt, nullptr};
+  const Image& image = sketch.image->front().levels->front();
   Shape shape;
   shape.triangles = Triangles::Map(std::array{0, 1, 2, 0, 2, 3}.data(), 3, 2);
   shape.rest.resize(2, 4);
@@ -37,15 +33,16 @@ FileSketch sketch_of_scene(const std::filesystem::path& file) {
   const Document document = document_of(load_scene(file, method_names()).scene, file);
   auto pose = std::make_shared<Snapshot>(*document.pose);
   pose->handles = document.handles;
-  FileSketch sketch{std::move(pose), nullptr, document.texture_box};
-  if (!document.texture.empty()) sketch.image = read_levels(document.texture);
+  FileSketch sketch{std::move(pose), nullptr, document.texture_box, document.parts};
+  if (!document.texture.empty())
+    sketch.image = load_texture(document.texture, document.parts.get()).pieces;
   return sketch;
 }
 
 FileSketch sketch_of_mesh(const std::filesystem::path& file) {
   LoadedMesh mesh = read_mesh(file);
   return {document_of(Shape{std::move(mesh.triangles), std::move(mesh.points)}, "").pose, nullptr,
-          std::nullopt};
+          std::nullopt, nullptr};
 }
 
 }  // namespace

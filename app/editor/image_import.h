@@ -11,27 +11,36 @@
 #include <vector>
 
 #include "app/editor/document.h"
-#include "core/outline/image_mesh.h"
+#include "app/editor/file_stamp.h"
+#include "core/outline/layers_mesh.h"
 #include "core/run/latest_job.h"
-#include "render/texture_levels.h"
+#include "render/texture_pieces.h"
 
 namespace foldless {
 
 /// An image that was read, and how to mesh it.
 struct ImportedImage {
   std::filesystem::path file;
-  std::shared_ptr<const TextureLevels> texture;
+  std::optional<FileStamp> stamp;                ///< before it was read
+  std::shared_ptr<const TexturePieces> texture;  ///< as a whole
   AlphaMap alpha;
+  std::vector<LayerAlpha> layers;           ///< those of which something is seen, bottom to top
+  LayerPieces pieces;                       ///< the same as textures
+  std::vector<std::string> notices;         ///< what of the layers is not kept
   std::array<ImageMeshOptions, 3> presets;  ///< by MeshDetail
 
   /// Where it lies in the plane of the mesh: a unit of length a pixel.
   TextureBox box() const { return {Vec2::Zero(), {alpha.width, alpha.height}}; }
+  /// Whether it can be meshed layer by layer.
+  bool has_layers() const { return layers.size() >= 2; }
 };
 
 /// A mesh of it, as the document that it would become.
 struct ImportedMesh {
   Document document;
   ImageMesh mesh;
+  std::shared_ptr<const TexturePieces> texture;  ///< of the image, for the document's parts
+  std::vector<std::string> left_out;             ///< layers in which nothing is opaque enough
 };
 
 /// Makes a document of an image: reads it, meshes it, and meshes it anew when the options change,
@@ -55,6 +64,9 @@ class ImageImport {
   const ImageMeshOptions& options() const { return options_; }
   /// Once the image is there; meshes again if they are others.
   void set_options(const ImageMeshOptions& options);
+  /// Each layer becomes a part of the mesh, where there are several.
+  bool is_by_layer() const { return is_by_layer_; }
+  void set_by_layer(bool is_by_layer);
   /// Reading or meshing.
   bool is_busy() const { return is_busy_; }
   /// There is a mesh, and it is of these options.
@@ -63,6 +75,11 @@ class ImageImport {
   const std::string& problem() const { return problem_; }
 
  private:
+  struct MeshChoice {
+    ImageMeshOptions options;
+    bool is_by_layer;
+  };
+
   /// What the thread made of a request; what is null did not change.
   struct News {
     int request = 0;
@@ -72,9 +89,10 @@ class ImageImport {
     bool is_last = false;
   };
 
+  void mesh_again();
   void publish(News news);
   void read(int request, const std::filesystem::path& file, const std::stop_token& stop);
-  void make_mesh(News news, const ImageMeshOptions& options, const std::stop_token& stop);
+  void make_mesh(News news, const MeshChoice& choice, const std::stop_token& stop);
 
   std::function<void()> wake_;
   bool is_open_ = false;
@@ -84,6 +102,7 @@ class ImageImport {
   std::shared_ptr<const ImportedImage> image_;
   std::shared_ptr<const ImportedMesh> mesh_;
   ImageMeshOptions options_;
+  bool is_by_layer_ = true;
   std::string problem_;
   std::mutex mutex_;  ///< of what follows
   std::vector<News> news_;

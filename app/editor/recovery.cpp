@@ -33,7 +33,7 @@ void Recovery::close() {
   lost_.clear();
   work_.reset();
   problem_.clear();
-  texture_image_.follow({});
+  texture_image_.follow({}, nullptr);
 }
 
 void Recovery::select(std::size_t index) {
@@ -79,7 +79,7 @@ bool Recovery::poll() {
     work_ = std::move(news->work);
     problem_ = std::move(news->problem);
   }
-  if (is_open() && work_) texture_image_.follow(work_->document.texture);
+  if (is_open() && work_) texture_image_.follow(work_->document.texture, work_->document.parts);
   return texture_image_.poll() || news;
 }
 

@@ -56,6 +56,7 @@ Document document_of(const Scene& scene, const std::filesystem::path& file) {
   if (!scene.texture_path.empty())
     document.texture = (scene.folder / scene.texture_path).lexically_normal();
   document.texture_box = scene.texture_box;
+  document.parts = scene.parts;
   document.description = scene.description;
   return document;
 }
@@ -69,6 +70,7 @@ Scene scene_of(const Document& document, const std::filesystem::path& file,
   if (!document.texture.empty())
     scene.texture_path = document.texture.lexically_proximate(scene.folder).generic_string();
   scene.texture_box = document.texture_box;
+  scene.parts = document.parts;
   scene.energy = document.energy;
   scene.stiffness = document.stiffness;
   scene.handles = document.handles;

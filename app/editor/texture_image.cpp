@@ -8,29 +8,40 @@ namespace foldless {
 
 TextureImage::TextureImage(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-void TextureImage::follow(const std::filesystem::path& file) {
-  if (file == file_) return;
-  adopt(file, nullptr);
+void TextureImage::follow(const std::filesystem::path& file, const Parts& parts) {
+  if (file == file_ && parts == parts_) return;
+  adopt(file, parts, nullptr, stamp_of(file));
   is_reading_ = !file.empty();
-  if (!is_reading_) return;
-  job_.start([this, file](const std::stop_token& stop) {
-    Result result = read(file);
-    if (stop.stop_requested()) return;
-    {
-      const std::lock_guard lock(mutex_);
-      result_ = std::move(result);
-    }
-    if (wake_) wake_();
-  });
+  if (is_reading_) start();
 }
 
-void TextureImage::adopt(const std::filesystem::path& file,
-                         std::shared_ptr<const TextureLevels> image) {
+void TextureImage::refresh(bool always) {
+  if (file_.empty() || is_reading_ || is_refreshing_) return;
+  const std::optional<FileStamp> stamp = stamp_of(file_);
+  // A file that is being replaced may be gone for a moment.
+  if (!stamp || (stamp == stamp_ && !always)) return;
+  stamp_ = stamp;
+  is_refreshing_ = true;
+  start();
+}
+
+void TextureImage::start() {
+  job_.start([this, request = ++request_, file = file_,
+              parts = parts_](const std::stop_token& stop) { read(request, file, parts, stop); });
+}
+
+void TextureImage::adopt(const std::filesystem::path& file, const Parts& parts,
+                         std::shared_ptr<const TexturePieces> image,
+                         const std::optional<FileStamp>& stamp) {
   job_.cancel();
+  ++request_;
   file_ = file;
+  parts_ = parts;
   image_ = std::move(image);
+  notices_.clear();
   problem_.clear();
-  is_reading_ = false;
+  stamp_ = stamp;
+  is_reading_ = is_refreshing_ = is_refreshed_ = false;
 }
 
 bool TextureImage::poll() {
@@ -39,21 +50,31 @@ bool TextureImage::poll() {
     const std::lock_guard lock(mutex_);
     result = std::exchange(result_, std::nullopt);
   }
-  if (!result || result->file != file_ || !is_reading_) return false;
-  image_ = std::move(result->image);
+  if (!result || result->request != request_) return false;
+  is_refreshed_ = is_refreshing_;
+  if (result->texture.pieces || !is_refreshed_) image_ = std::move(result->texture.pieces);
+  notices_ = std::move(result->texture.notices);
   problem_ = std::move(result->problem);
-  is_reading_ = false;
+  is_reading_ = is_refreshing_ = false;
   return true;
 }
 
-TextureImage::Result TextureImage::read(const std::filesystem::path& file) {
+void TextureImage::read(int request, const std::filesystem::path& file, const Parts& parts,
+                        const std::stop_token& stop) {
+  Result result{request, {}, {}};
   try {
-    return {file, std::make_shared<const TextureLevels>(texture_levels(load_image(file))), {}};
+    result.texture = load_texture(file, parts.get());
   } catch (const std::bad_alloc&) {
-    return {file, nullptr, file.string() + ": there is not enough memory for this image"};
+    result.problem = file.string() + ": there is not enough memory for this image";
   } catch (const std::exception& failure) {
-    return {file, nullptr, failure.what()};
+    result.problem = failure.what();
   }
+  if (stop.stop_requested()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    result_ = std::move(result);
+  }
+  if (wake_) wake_();
 }
 
 }  // namespace foldless

@@ -71,11 +71,22 @@ void draw_presets(const ImportedImage& image, ImageMeshOptions& options) {
   }
 }
 
+void draw_layer_choice(ImageImport& import) {
+  if (!import.image()->has_layers()) return;
+  bool is_by_layer = import.is_by_layer();
+  if (ImGui::RadioButton("Layer by layer", is_by_layer)) is_by_layer = true;
+  ImGui::SameLine();
+  if (ImGui::RadioButton("One picture", !is_by_layer)) is_by_layer = false;
+  import.set_by_layer(is_by_layer);
+}
+
 void draw_options(Editor& editor, const Look& look) {
   ImageImport& import = editor.files().image_import();
   if (!import.image()) return dim_text("Reading the image…", look);
   const AlphaMap& alpha = import.image()->alpha;
   dim_text(std::to_string(alpha.width) + " × " + std::to_string(alpha.height) + " pixels", look);
+  ImGui::Spacing();
+  draw_layer_choice(import);
   ImGui::Spacing();
   ImageMeshOptions options = import.options();
   draw_presets(*import.image(), options);
@@ -94,6 +105,23 @@ std::string count(int number, const char* noun) {
   return counted(static_cast<std::size_t>(number), noun);
 }
 
+void draw_notice(const std::string& notice, const Look& look) {
+  ImGui::PushTextWrapPos();
+  dim_text(notice, look);
+  ImGui::PopTextWrapPos();
+}
+
+/// What became of the layers.
+void draw_layers(const ImageImport& import, const Look& look) {
+  const ImportedMesh& mesh = *import.mesh();
+  if (import.image()->has_layers() && !mesh.document.parts) return;
+  if (mesh.document.parts)
+    dim_text(count(static_cast<int>(mesh.document.parts->size()), "layer"), look);
+  for (const std::string& notice : import.image()->notices) draw_notice(notice, look);
+  for (const std::string& name : mesh.left_out)
+    draw_notice("Nothing of the layer '" + name + "' is opaque enough", look);
+}
+
 void draw_result(const ImageImport& import, const Look& look) {
   if (!import.problem().empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, look.palette->warning);
@@ -109,6 +137,7 @@ void draw_result(const ImageImport& import, const Look& look) {
   dim_text(count(mesh.parts, "part") + ", " + count(mesh.holes, "hole") + ", " +
                angle_words(mesh.min_angle),
            look);
+  draw_layers(import, look);
   if (mesh.specks > 0) dim_text(count(mesh.specks, "speck") + " left out", look);
   if (mesh.filled_holes > 0) dim_text(count(mesh.filled_holes, "tiny hole") + " filled", look);
 }

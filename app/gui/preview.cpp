@@ -19,7 +19,8 @@ Preview preview_of(const ImageImport& import) {
   preview.layers = {.boundary = false, .handles = false, .rest = true};
   if (import.mesh()) preview.pose = import.mesh()->document.pose;
   if (!import.image()) return preview;
-  preview.image = import.image()->texture;
+  preview.image = import.mesh() ? import.mesh()->texture : import.image()->texture;
+  if (import.mesh()) preview.parts = import.mesh()->document.parts;
   preview.image_box = preview.view_box = import.image()->box();
   return preview;
 }
@@ -32,6 +33,7 @@ Preview preview_of(const Recovery& recovery) {
           .pose = document.pose,
           .image = recovery.texture_image().image(),
           .image_box = document.texture_box,
+          .parts = document.parts,
           .layers = {.wireframe = document.texture.empty()}};
 }
 

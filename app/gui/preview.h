@@ -14,8 +14,9 @@ namespace foldless {
 struct Preview {
   std::string words;                                ///< on how it stands
   std::shared_ptr<const Snapshot> pose = {};        ///< null: there is none yet
-  std::shared_ptr<const TextureLevels> image = {};  ///< null: none, or not yet
+  std::shared_ptr<const TexturePieces> image = {};  ///< null: none, or not yet
   std::optional<TextureBox> image_box = {};         ///< where the image lies
+  std::shared_ptr<const MeshParts> parts = {};      ///< of the mesh; null: none
   std::optional<TextureBox> view_box = {};          ///< what to show; absent: the mesh
   Layers layers = {};
 };

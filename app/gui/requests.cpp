@@ -10,6 +10,7 @@
 #include "core/data_path.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "render/image.h"
 
 namespace foldless {
 namespace {
@@ -39,6 +40,10 @@ FileRequest open_request(const std::string& title, std::vector<std::string> exte
   return request;
 }
 
+std::vector<std::string> image_endings() {
+  return {image_extensions().begin(), image_extensions().end()};
+}
+
 void open_chosen(FileRequest request, Editor& editor, UiState& state) {
   request.chosen = [&editor, &state](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
@@ -51,20 +56,19 @@ void open_chosen(FileRequest request, Editor& editor, UiState& state) {
 }
 
 void ask_what_to_open(Editor& editor, UiState& state) {
-  auto request = open_request(
-      "Open", {".json", ".obj", ".off", ".ply", ".png", ".jpg", ".jpeg", ".webp"}, editor, state);
+  std::vector<std::string> extensions = image_endings();
+  extensions.insert(extensions.begin(), {".json", ".obj", ".off", ".ply"});
+  auto request = open_request("Open", std::move(extensions), editor, state);
   open_chosen(std::move(request), editor, state);
 }
 
 void ask_for_image(Editor& editor, UiState& state) {
-  auto request =
-      open_request("New from an image", {".png", ".jpg", ".jpeg", ".webp"}, editor, state);
+  auto request = open_request("New from an image", image_endings(), editor, state);
   open_chosen(std::move(request), editor, state);
 }
 
 void ask_for_texture(Editor& editor, UiState& state) {
-  auto request =
-      open_request("Open an image as texture", {".png", ".jpg", ".jpeg", ".webp"}, editor, state);
+  auto request = open_request("Open an image as texture", image_endings(), editor, state);
   request.chosen = [&editor, &state](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
     editor.files().set_texture(path);

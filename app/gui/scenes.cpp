@@ -124,6 +124,7 @@ void Scenes::draw_race(const Editor& editor, const Layout& layout, Extent frameb
   while (lanes_.size() < race.lanes().size()) {
     lanes_.push_back(std::make_unique<SceneRenderer>());
     if (image_) lanes_.back()->set_texture(*image_, place_);
+    lanes_.back()->set_parts(parts_);
   }
   ViewOptions options = editor.view().shown_options();
   options.ui_scale = race.canvas().ui_scale;
@@ -146,6 +147,9 @@ void Scenes::follow_texture(Editor& editor) {
   const auto preview = preview_of(editor);
   const auto image = preview ? preview->image : editor.files().texture_image().image();
   const auto place = box_of(preview ? preview->image_box : editor.document().texture_box);
+  parts_ = preview ? preview->parts : editor.document().parts;
+  canvas_.set_parts(parts_);
+  for (const auto& lane : lanes_) lane->set_parts(parts_);
   if (image == image_ && place == place_) return;
   image_ = image;
   place_ = place;

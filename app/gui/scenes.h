@@ -35,8 +35,9 @@ class Scenes {
   SceneRenderer canvas_;
   /// One a lane: each keeps its mesh on the graphics card.
   std::vector<std::unique_ptr<SceneRenderer>> lanes_;
-  std::shared_ptr<const TextureLevels> image_;  ///< that they show
+  std::shared_ptr<const TexturePieces> image_;  ///< that they show
   std::optional<Box> place_;                    ///< of the image in the rest plane
+  std::shared_ptr<const MeshParts> parts_;      ///< of their meshes
   std::optional<HeatRange> heat_range_;
 };
 

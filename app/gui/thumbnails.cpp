@@ -98,6 +98,7 @@ Texture Thumbnails::draw(const FileSketch& sketch) {
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   if (!renderer_) renderer_.emplace();
   renderer_->clear_texture();
+  renderer_->set_parts(sketch.parts);
   std::optional<Box> place;
   if (const auto& box = sketch.image_box)
     place = Box{{box->min.x(), box->min.y()}, {box->max.x(), box->max.y()}};

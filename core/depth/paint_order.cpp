@@ -59,49 +59,67 @@ Eigen::VectorXd order_at_rest(const Triangles& triangles, const Points& rest) {
 
 }  // namespace
 
+void PaintOrder::set_parts(std::shared_ptr<const MeshParts> parts) {
+  if (parts == parts_) return;
+  parts_ = std::move(parts);
+  revision_.reset();
+}
+
 void PaintOrder::adopt(const Snapshot& snapshot) {
   if (revision_ == snapshot.revision) return;
   revision_ = snapshot.revision;
-  triangles_ = snapshot.triangles;
-  boundary_.emplace(*snapshot.triangles, static_cast<int>(snapshot.rest->cols()));
-  search_.reset();
-  depths_.reset();
-  is_known_ = false;
+  groups_.clear();
+  has_keys_ = has_order_ = is_known_ = false;
 }
 
-bool PaintOrder::refresh_overlaps(const Points& points) {
-  const bool have_open_corners = boundary_->have_open_corners(points);
-  overlaps_.clear();
-  if (have_open_corners && !boundary_->meet(points) && !boundary_->are_nested(points)) return false;
-  if (!search_) search_.emplace(*triangles_, static_cast<int>(points.cols()));
-  overlaps_ =
-      search_->find(points, have_open_corners ? CommonCorners::apart : CommonCorners::may_overlap);
-  return !overlaps_.empty();
+bool PaintOrder::adopt_depths(const Snapshot& snapshot) {
+  std::vector<HandleDepth> depths;
+  if (has_depths(snapshot.handles))
+    for (const Handle& handle : snapshot.handles) depths.emplace_back(handle.vertex, handle.depth);
+  if (depths == depths_) return false;
+  depths_ = std::move(depths);
+  has_keys_ = false;
+  if (parts_) groups_.clear();
+  return true;
 }
 
-void PaintOrder::refresh_keys(const Snapshot& snapshot, Depths depths) {
-  if (depths_ == depths) return;
+void PaintOrder::refresh_keys(const Snapshot& snapshot) {
+  if (has_keys_) return;
+  has_keys_ = true;
   const Triangles& triangles = *snapshot.triangles;
   keys_.depth = by_triangle(triangles, depth_.update(triangles, *snapshot.rest, snapshot.handles));
-  if (!depths_) keys_.order = by_triangle(triangles, order_at_rest(triangles, *snapshot.rest));
-  depths_ = std::move(depths);
+  if (parts_) {
+    const std::vector<int> part =
+        parts_of_triangles(triangles, static_cast<int>(snapshot.rest->cols()), *parts_);
+    for (Eigen::Index t = 0; t < triangles.cols(); ++t)
+      keys_.depth[t] +=
+          (*parts_)[static_cast<std::size_t>(part[static_cast<std::size_t>(t)])].depth;
+  }
+  if (!has_order_) keys_.order = by_triangle(triangles, order_at_rest(triangles, *snapshot.rest));
+  has_order_ = true;
 }
 
 const std::vector<int>& PaintOrder::layers(const Snapshot& snapshot, const Points& points) {
   adopt(snapshot);
-  Depths depths;
-  if (has_depths(snapshot.handles))
-    for (const Handle& handle : snapshot.handles) depths.emplace_back(handle.vertex, handle.depth);
+  const bool has_other_depths = adopt_depths(snapshot);
   const bool has_moved = !is_known_ || points_.cols() != points.cols() || points_ != points;
-  if (!has_moved && (overlaps_.empty() || depths_ == depths)) return layers_;
+  if (!has_moved && !has_other_depths) return layers_;
+  const bool is_new = groups_.empty();
+  if (is_new)
+    groups_ = paint_groups(snapshot.triangles, static_cast<int>(snapshot.rest->cols()),
+                           parts_ ? *parts_ : MeshParts{}, depths_);
   points_ = points;
   is_known_ = true;
   layers_.assign(static_cast<std::size_t>(snapshot.triangles->cols()), 0);
-  if (!snapshot.is_valid()) {
-    overlaps_.clear();
-  } else if (!has_moved || refresh_overlaps(points)) {
-    refresh_keys(snapshot, std::move(depths));
-    layers_ = paint_layers(*snapshot.triangles, overlaps_, keys_);
+  int next = 0;
+  for (PaintGroup& group : groups_) {
+    if (!snapshot.is_valid())
+      group.clear_overlaps();
+    else if (has_moved || is_new)
+      group.find_overlaps(points);
+    if (group.has_overlaps()) refresh_keys(snapshot);
+    next =
+        group.has_overlaps() ? group.paint(keys_, next, layers_) : group.paint_flat(next, layers_);
   }
   return layers_;
 }

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "core/depth/boundary_curves.h"
 #include "core/depth/depth_field.h"
+#include "core/depth/paint_group.h"
 #include "core/depth/paint_layers.h"
+#include "core/mesh/parts.h"
 #include "core/snapshot.h"
 
 namespace foldless {
@@ -21,29 +21,31 @@ namespace foldless {
 /// overlaps it only looks at the boundary.
 class PaintOrder {
  public:
+  /// The depths of parts are those of their triangles, from now on, to which those of handles are
+  /// added; null: all 0.
+  void set_parts(std::shared_ptr<const MeshParts> parts);
+
   /// A layer for every triangle, see paint_layers(), as `points` have them: the snapshot's rest or
-  /// deformed positions. All 0 where nothing overlaps, and where the map folds: then there are no
-  /// sheets. Valid until the next call. Precondition: the snapshot has triangles and a rest mesh.
+  /// deformed positions. Parts of other depths have layers of their own; but for that all are 0
+  /// where nothing overlaps, and where the map folds: then there are no sheets. Valid until the
+  /// next call. Precondition: the snapshot has triangles and a rest mesh.
   const std::vector<int>& layers(const Snapshot& snapshot, const Points& points);
 
  private:
-  using Depths = std::vector<std::pair<int, double>>;  ///< of the handles, by vertex
-
   void adopt(const Snapshot& snapshot);
-  /// Returns whether there are any.
-  bool refresh_overlaps(const Points& points);
-  void refresh_keys(const Snapshot& snapshot, Depths depths);
+  /// Returns whether they are others.
+  bool adopt_depths(const Snapshot& snapshot);
+  void refresh_keys(const Snapshot& snapshot);
 
+  std::shared_ptr<const MeshParts> parts_;
   std::optional<std::uint64_t> revision_;
-  std::shared_ptr<const Triangles> triangles_;  ///< of that revision, as what follows
-  std::optional<BoundaryCurves> boundary_;
-  std::optional<OverlapSearch> search_;  ///< made when something overlaps
-  std::optional<Depths> depths_;         ///< what keys_ were made of; empty: no depths
+  std::vector<HandleDepth> depths_;  ///< empty: no handle has one
+  std::vector<PaintGroup> groups_;   ///< of that revision, parts and depths; empty: none yet
   DepthField depth_;
-  PaintKeys keys_;
+  PaintKeys keys_;  ///< made when something overlaps
+  bool has_keys_ = false, has_order_ = false;
   bool is_known_ = false;  ///< what follows, for points_
   Points points_;
-  std::vector<Overlap> overlaps_;
   std::vector<int> layers_;
 };
 

@@ -11,4 +11,7 @@ struct Shape {
   Points rest;          ///< 2 × #V
 };
 
+/// Adds vertices and triangles after those that are there.
+void append(const Shape& part, Shape& whole);
+
 }  // namespace foldless

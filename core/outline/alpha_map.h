@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace foldless {
@@ -17,6 +18,14 @@ struct AlphaMap {
     return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(x)];
   }
+};
+
+/// How opaque a layer of a painting is, and where it lies.
+struct LayerAlpha {
+  std::string name;
+  int x = 0;  ///< of its left column on the canvas, pixels
+  int y = 0;  ///< of its uppermost row on the canvas, pixels from the top
+  AlphaMap alpha;
 };
 
 }  // namespace foldless

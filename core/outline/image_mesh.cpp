@@ -16,8 +16,6 @@
 namespace foldless {
 namespace {
 
-constexpr int kMostVertices = 200'000;
-
 double vertices_for(MeshDetail detail) {
   switch (detail) {
     case MeshDetail::coarse: return 500;
@@ -54,20 +52,9 @@ void check_size(const Regions& regions, double edge_length) {
     holes += static_cast<double>(outline.holes.size());
   }
   const double triangles = area / (0.25 * std::numbers::sqrt3 * edge_length * edge_length);
-  if (0.5 * triangles - holes > kMostVertices)
-    throw Error("the mesh would have more than " + std::to_string(kMostVertices) +
+  if (0.5 * triangles - holes > kMostImageVertices)
+    throw Error("the mesh would have more than " + std::to_string(kMostImageVertices) +
                 " vertices; allow longer edges");
-}
-
-void append(const Shape& part, Shape& whole) {
-  const auto vertices = whole.rest.cols();
-  const auto faces = whole.triangles.cols();
-  whole.rest.conservativeResize(2, vertices + part.rest.cols());
-  whole.rest.rightCols(part.rest.cols()) = part.rest;
-  whole.triangles.conservativeResize(3, faces + part.triangles.cols());
-  whole.triangles.rightCols(part.triangles.cols()) =
-      part.triangles.array().matrix() +
-      Triangles::Constant(3, part.triangles.cols(), static_cast<int>(vertices));
 }
 
 }  // namespace
@@ -92,7 +79,7 @@ std::optional<ImageMesh> mesh_of_image(const AlphaMap& alpha, const ImageMeshOpt
   check_size(regions, options.edge_length);
   ImageMesh mesh;
   for (const Outline& outline : regions.outlines) {
-    const int left = kMostVertices - static_cast<int>(mesh.shape.rest.cols());
+    const int left = kMostImageVertices - static_cast<int>(mesh.shape.rest.cols());
     append(triangulate(outline, {options.edge_length, options.min_angle, left, stop}), mesh.shape);
     mesh.holes += static_cast<int>(outline.holes.size());
     if (stop.stop_requested()) return std::nullopt;

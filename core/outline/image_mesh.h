@@ -36,6 +36,9 @@ struct ImageMesh {
   double min_angle = 0;  ///< of all triangles, degrees
 };
 
+/// Of the mesh of a picture.
+inline constexpr int kMostImageVertices = 200'000;
+
 /// Meshes what of a picture is opaque: outline with margin, several parts, holes; the mesh stays
 /// within the picture. The same input always gives the same mesh. Nothing if `stop` was requested
 /// before it was done. Throws Error as regions_of() and triangulate(), and on more than 200,000

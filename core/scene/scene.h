@@ -11,6 +11,7 @@
 #include "core/energy/density.h"
 #include "core/handle.h"
 #include "core/mesh/mesh_pair.h"
+#include "core/mesh/parts.h"
 #include "core/mesh/stiffness.h"
 #include "core/mesh/triangle.h"
 #include "core/scene/parameters.h"
@@ -42,6 +43,7 @@ struct Scene {
   Points rest;               ///< 2 × #V of the original mesh
   std::string texture_path;  ///< as written, relative to `folder`; empty: checkerboard
   std::optional<TextureBox> texture_box;       ///< absent: the box of the rest mesh
+  std::shared_ptr<const MeshParts> parts;      ///< that show layers of the texture; null: none
   const Density* energy = nullptr;             ///< a row of densities(); never null after loading
   std::shared_ptr<const Stiffness> stiffness;  ///< of the rest plane; null: 1 everywhere
   std::vector<Handle> handles;  ///< vertices of the original mesh, or of `state` where there is one

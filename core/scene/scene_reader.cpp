@@ -12,6 +12,7 @@
 #include "core/files/validate.h"
 #include "core/scene/json_value.h"
 #include "core/scene/parameter_keys.h"
+#include "core/scene/parts_json.h"
 #include "core/scene/read_handles.h"
 #include "core/scene/scene_io.h"
 
@@ -55,7 +56,7 @@ class SceneReader {
     const JsonNode node = parse_json(read_file(file_), name_);
     const JsonValue root(node, name_);
     read_version(root);
-    root.allow_only({"version", "description", "mesh", "texture", "texture_box", "energy",
+    root.allow_only({"version", "description", "mesh", "texture", "texture_box", "parts", "energy",
                      "stiffness", "handles", "solver", "state"});
     scene_.folder = fs::absolute(file_).parent_path();
     if (const auto text = root.find("description")) scene_.description = text->text();
@@ -65,6 +66,9 @@ class SceneReader {
     if (const auto strokes = root.find("stiffness")) read_stiffness(*strokes);
     if (const auto solver = root.find("solver")) read_solver(*solver);
     read_mesh_of(root.at("mesh"));
+    if (const auto parts = root.find("parts"))
+      scene_.parts = std::make_shared<const MeshParts>(
+          read_parts(*parts, scene_.triangles, static_cast<int>(scene_.rest.cols())));
     if (const auto state = root.find("state")) read_state(*state);
     if (const auto handles = root.find("handles"))
       scene_.handles = read_handles(*handles, used_vertices());

@@ -7,6 +7,7 @@
 #include "core/scene/handle_kind.h"
 #include "core/scene/json_node.h"
 #include "core/scene/parameter_keys.h"
+#include "core/scene/parts_json.h"
 #include "core/scene/scene_io.h"
 
 namespace foldless {
@@ -129,6 +130,7 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
   if (const auto& box = scene.texture_box)
     root.emplace_back("texture_box",
                       JsonNode{JsonNode::Array{point_node(box->min), point_node(box->max)}});
+  if (scene.parts) root.emplace_back("parts", parts_node(*scene.parts));
   root.emplace_back("energy", JsonNode{std::string(scene.energy->name)});
   if (scene.stiffness) root.emplace_back("stiffness", stiffness_node(*scene.stiffness));
   root.emplace_back("handles", handles_node(scene.handles));

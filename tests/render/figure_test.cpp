@@ -98,7 +98,7 @@ TEST(Figure, OneRendererDrawsManyFiguresOfAnySize) {
   FigureOptions options = small_figure();
   const Image first = renderer.render(pulled_sheet(), options);
   options.width = 100;
-  options.texture = std::make_shared<const TextureLevels>(texture_levels(Image(4, 4)));
+  options.texture = whole_texture(Image(4, 4));
   EXPECT_EQ(renderer.render(pulled_sheet(), options).width, 100);
   EXPECT_EQ(renderer.render(pulled_sheet(), small_figure()), first);
   EXPECT_EQ(render_figure(pulled_sheet(), small_figure()), first);

@@ -88,7 +88,7 @@ TEST(MeshCall, TheUndeformedSceneIsTheImageToWithinOneGreyLevel) {
   figure.style = test::bare_view();
   figure.style.layers.fill = true;
   figure.style.background = Background::transparent;
-  figure.texture = std::make_shared<const TextureLevels>(texture_levels(source));
+  figure.texture = whole_texture(source);
   figure.texture_place = texture_place(loaded.scene);
   // The figure keeps a margin round its frame: one pixel a pixel of the image.
   figure.frame = Box{{28, 28}, {212, 212}};

@@ -68,6 +68,10 @@ TEST_F(AutosaveTest, RecoveryGivesEverythingBack) {
   editor_->edits().change_selected("Depth", Change::appearance,
                                    [](Handle& handle) { handle.depth = 2.5; });
   editor_->files().set_texture(folder_.write("a.png", "no image, but a file"));
+  Document of_layers = editor_->document();
+  const auto vertices = static_cast<int>(of_layers.original->rest.cols());
+  of_layers.parts = std::make_shared<const MeshParts>(MeshParts{{"Body", 0, vertices, 1.5}});
+  editor_->draft().edit("Parts", of_layers, Change::appearance);
   ASSERT_TRUE(editor_->files().save_as(folder_ / "scene.json"));
   const Vec2 from = pixel_of_handle(1);
   drag(from, from + Vec2(40, -30));
@@ -83,6 +87,8 @@ TEST_F(AutosaveTest, RecoveryGivesEverythingBack) {
   editor_->files().recover();
   EXPECT_TRUE(is_same_content(editor_->document(), lost));
   EXPECT_EQ(editor_->document().texture, folder_ / "a.png");
+  ASSERT_NE(editor_->document().parts, nullptr);
+  EXPECT_EQ(*editor_->document().parts, *of_layers.parts);
   EXPECT_EQ(editor_->document().handles.front().depth, 2.5);
   EXPECT_EQ(editor_->canvas().camera, (Camera{{1.25, 3.5}, 77}));
   EXPECT_EQ(editor_->files().path(), folder_ / "scene.json");

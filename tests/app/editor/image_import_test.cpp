@@ -123,7 +123,7 @@ TEST_F(ImportedImages, ADroppedImageBecomesTheTextureOfAMeshOrElseADocument) {
   EXPECT_FALSE(import().is_open());
   EXPECT_EQ(editor_->document().texture, ring());
   wait_for([&] { return editor_->files().texture_image().image() != nullptr; });
-  EXPECT_EQ(editor_->files().texture_image().image()->front().width, 120);
+  EXPECT_EQ(editor_->files().texture_image().image()->front().levels->front().width, 120);
 }
 
 TEST_F(ImportedImages, OtherOptionsMakeAnotherMeshAndTheNewestWin) {

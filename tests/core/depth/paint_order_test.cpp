@@ -100,6 +100,84 @@ TEST(PaintOrder, AComponentInsideAnotherLiesOnIt) {
   EXPECT_EQ(*std::min_element(layers.begin() + 18, layers.end()), 1);
 }
 
+/// Two parts of which the second is the same mesh again, or a copy beside it.
+std::pair<Snapshot, std::shared_ptr<const MeshParts>> two_parts(const Vec2& shift) {
+  const Fixture one = square_grid(5);
+  Fixture other = one;
+  other.rest.colwise() += shift;
+  const Fixture f = both(one, other);
+  const int vertices = static_cast<int>(one.rest.cols());
+  return {posed(f, f.rest), std::make_shared<const MeshParts>(
+                                MeshParts{{"A", 0, vertices, 0}, {"B", vertices, vertices, 1}})};
+}
+
+/// 1: the later part lies on the earlier one wherever they overlap, -1: the other way round.
+int front_of(const Snapshot& snapshot, const std::vector<int>& layers) {
+  const int half = static_cast<int>(layers.size()) / 2;
+  int later = 0, pairs = 0;
+  for (const Overlap& o :
+       overlapping_triangles(*snapshot.triangles, *snapshot.rest, CommonCorners::apart)) {
+    if (o.is_contact || o.a >= half || o.b < half) continue;
+    ++pairs;
+    const int difference =
+        layers[static_cast<std::size_t>(o.b)] - layers[static_cast<std::size_t>(o.a)];
+    later += difference > 0 ? 1 : difference < 0 ? -1 : 0;
+  }
+  EXPECT_GT(pairs, 0);
+  return std::abs(later) == pairs ? later / pairs : 0;
+}
+
+TEST(PaintOrder, PartsLieOverEachOtherByTheirDepths) {
+  // Somewhere over each other, with edges in common, and all over each other.
+  for (const Vec2& shift : {Vec2(0.3, 0.2), Vec2(1, 0), Vec2(0, 0)}) {
+    auto [snapshot, parts] = two_parts(shift);
+    PaintOrder order;
+    order.set_parts(parts);
+    EXPECT_EQ(front_of(snapshot, order.layers(snapshot, *snapshot.rest)), 1) << shift.transpose();
+    MeshParts swapped = *parts;
+    swapped[0].depth = 2;
+    order.set_parts(std::make_shared<const MeshParts>(swapped));
+    EXPECT_EQ(front_of(snapshot, order.layers(snapshot, *snapshot.rest)), -1) << shift.transpose();
+  }
+}
+
+TEST(PaintOrder, DepthsOfHandlesCountFromThatOfTheirPart) {
+  auto [snapshot, parts] = two_parts(Vec2(0.3, 0.2));
+  PaintOrder order;
+  order.set_parts(parts);
+  for (const auto& [depth, front] : {std::pair{0.5, 1}, std::pair{1.5, -1}, std::pair{-3.0, 1}}) {
+    snapshot.handles = {{.id = 0, .vertex = 0, .depth = depth}};
+    EXPECT_EQ(front_of(snapshot, order.layers(snapshot, *snapshot.rest)), front) << depth;
+  }
+}
+
+TEST(PaintOrder, PartsWhoseDepthsMixAreComparedWhereTheyOverlap) {
+  const Fixture one = ribbon(20, -2, 2, 0.2);
+  const Fixture f = both(one, one);
+  const int vertices = static_cast<int>(one.rest.cols());
+  Snapshot snapshot = posed(f, f.rest);
+  // The second lies across the first at its left end, where that is behind, or at its right end.
+  for (const double place : {-1.5, 1.5}) {
+    for (int v = vertices; v < 2 * vertices; ++v)
+      snapshot.deformed.col(v) = Vec2(place - f.rest(1, v), f.rest(0, v));
+    const auto vertex_near = [&](double x) {
+      Eigen::Index nearest = 0;
+      (f.rest.leftCols(vertices).colwise() - Vec2(x, 0)).colwise().norm().minCoeff(&nearest);
+      return static_cast<int>(nearest);
+    };
+    snapshot.handles = {{.id = 0, .vertex = vertex_near(-2), .depth = -4},
+                        {.id = 1, .vertex = vertex_near(2), .depth = 6}};
+    PaintOrder order;
+    order.set_parts(std::make_shared<const MeshParts>(
+        MeshParts{{"A", 0, vertices, 0}, {"B", vertices, vertices, 1}}));
+    const std::vector<int>& layers = order.layers(snapshot, snapshot.deformed);
+    const auto half = static_cast<std::ptrdiff_t>(one.triangles.cols());
+    const int first = *std::max_element(layers.begin(), layers.begin() + half);
+    const int second = *std::max_element(layers.begin() + half, layers.end());
+    EXPECT_EQ(first > second, place > 0) << place;
+  }
+}
+
 TEST(PaintOrder, AMapThatFoldsHasNoSheets) {
   Snapshot snapshot = crossing_ribbon();
   PaintOrder order;
