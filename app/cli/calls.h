@@ -54,8 +54,6 @@ struct RenderCall {
   std::filesystem::path picture;
   std::optional<std::filesystem::path> texture;  ///< instead of that of the scene
   FigureOptions figure;
-  /// Red, green, blue behind the drawing; absent: that of the theme, or none.
-  std::optional<std::array<std::uint8_t, 3>> background;
 };
 
 /// `foldless mesh IMAGE -o OUT`; what is absent follows from the image

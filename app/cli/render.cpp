@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -55,17 +53,6 @@ Subject read_subject(const std::string& file) {
   return subject_of(is_mesh_file(file) ? scene_from_mesh(file) : load_scene_file(file));
 }
 
-/// Puts an opaque colour behind a picture.
-void lay_on(const std::array<std::uint8_t, 3>& colour, Image& picture) {
-  for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
-    const int alpha = picture.pixels[i + 3];
-    for (std::size_t c = 0; c < colour.size(); ++c)
-      picture.pixels[i + c] = static_cast<std::uint8_t>(
-          (picture.pixels[i + c] * alpha + colour[c] * (255 - alpha) + 127) / 255);
-    picture.pixels[i + 3] = 255;
-  }
-}
-
 }  // namespace
 
 int render(const RenderCall& call) {
@@ -78,10 +65,8 @@ int render(const RenderCall& call) {
     figure.texture =
         std::make_shared<const TextureLevels>(texture_levels(load_image(*subject.texture)));
   figure.texture_place = subject.texture_place;
-  if (call.background) figure.style.background = Background::transparent;
-  Image picture = render_figure(subject.snapshot, figure);
-  if (call.background) lay_on(*call.background, picture);
-  save_png(call.picture, picture, {{"Software", "Foldless"}, {"Scene", call.file}});
+  save_png(call.picture, render_figure(subject.snapshot, figure),
+           {{"Software", "Foldless"}, {"Scene", call.file}});
   return kExitDone;
 }
 
