@@ -58,9 +58,9 @@ CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, bool& is_tra
   CLI::App* render = app.add_subcommand("render", "draw a scene or a solved folder off screen");
   render->add_option("FILE", call.file, "scene, mesh, folder written by solve, or rest,deformed")
       ->required();
-  render->add_option("-o,--output", call.picture, "picture to write")
+  render->add_option("-o,--output", call.picture, "picture to write, .png, .svg or .pdf")
       ->required()
-      ->type_name("OUT.png");
+      ->type_name("OUT");
   render->add_option("--size", texts.size, "size in pixels, 1200x900 when absent")
       ->type_name("WxH");
   render->add_option("--view", texts.view, "deformed (when absent), rest or both")

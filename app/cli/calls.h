@@ -48,10 +48,10 @@ struct SolveCall {
   bool quiet = false;                       ///< nothing on stdout
 };
 
-/// `foldless render FILE -o OUT.png`
+/// `foldless render FILE -o OUT`
 struct RenderCall {
-  std::string file;  ///< a scene, a mesh, a solved folder, or `rest,deformed`
-  std::filesystem::path picture;
+  std::string file;               ///< a scene, a mesh, a solved folder, or `rest,deformed`
+  std::filesystem::path picture;  ///< .png, .svg or .pdf
   std::optional<std::filesystem::path> texture;  ///< instead of that of the scene
   FigureOptions figure;
 };

@@ -6,6 +6,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/problem.h"
 #include "app/cli/solved_folder.h"
+#include "app/export/vector_figure.h"
 #include "core/error.h"
 #include "core/files/mesh_io.h"
 #include "core/files/text_lines.h"
@@ -56,8 +57,10 @@ Subject read_subject(const std::string& file) {
 }  // namespace
 
 int render(const RenderCall& call) {
-  if (call.picture.extension() != ".png")
-    throw Error(call.picture.string() + ": pictures are written as PNG; end the name with .png");
+  const bool is_vector = vector_format_of(call.picture).has_value();
+  if (!is_vector && call.picture.extension() != ".png")
+    throw Error(call.picture.string() +
+                ": pictures are written as PNG, SVG or PDF; end the name with .png, .svg or .pdf");
   Subject subject = read_subject(call.file);
   if (call.texture) subject.texture = call.texture;
   FigureOptions figure = call.figure;
@@ -65,8 +68,11 @@ int render(const RenderCall& call) {
     figure.texture =
         std::make_shared<const TextureLevels>(texture_levels(load_image(*subject.texture)));
   figure.texture_place = subject.texture_place;
-  save_png(call.picture, render_figure(subject.snapshot, figure),
-           {{"Software", "Foldless"}, {"Scene", call.file}});
+  const ImageTexts texts{{"Software", "Foldless"}, {"Scene", call.file}};
+  if (is_vector)
+    save_vector_figure(call.picture, subject.snapshot, figure, texts);
+  else
+    save_png(call.picture, render_figure(subject.snapshot, figure), texts);
   return kExitDone;
 }
 
