@@ -24,9 +24,12 @@ struct Format {
 };
 
 constexpr int kMostPixelsOfASide = 16384;
+constexpr int kLastPicture = 2;  // of the formats; the others are meshes
 
-constexpr std::array<Format, 4> kFormats{{
+constexpr std::array<Format, 6> kFormats{{
     {"PNG picture", ".png", "The canvas as you see it. Scene, iteration and energy go along."},
+    {"SVG figure", ".svg", "The canvas as lines and areas, sharp at any size, for the web."},
+    {"PDF figure", ".pdf", "The canvas as lines and areas, sharp at any size, for papers."},
     {"OBJ mesh", ".obj", "The deformed mesh; the rest positions are its texture coordinates."},
     {"OFF mesh", ".off", "The deformed mesh, positions and triangles alone."},
     {"PLY mesh", ".ply", "The deformed mesh, positions and triangles alone."},
@@ -66,7 +69,7 @@ void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
 void ExportDialog::draw_options(const Editor& editor, const Look& look) {
   const auto format = static_cast<std::size_t>(format_);
   for (std::size_t i = 0; i < kFormats.size(); ++i) {
-    if (i > 0) ImGui::SameLine();
+    if (i > 0 && i != kLastPicture + 1) ImGui::SameLine();
     ImGui::RadioButton(kFormats[i].title, &format_, static_cast<int>(i));
   }
   ImGui::Spacing();
@@ -74,7 +77,7 @@ void ExportDialog::draw_options(const Editor& editor, const Look& look) {
   dim_text(kFormats[format].words, look);
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
-  if (format_ == 0) draw_picture_options(editor, look);
+  if (format_ <= kLastPicture) draw_picture_options(editor, look);
 }
 
 void ExportDialog::draw_picture_options(const Editor& editor, const Look& look) {

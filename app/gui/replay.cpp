@@ -19,8 +19,8 @@ constexpr int kMostFrames = 100;         ///< until the interface has nothing to
 constexpr std::chrono::seconds kPatience{120};
 
 /// Something goes on that will change the picture by itself, and then end.
-bool is_busy(const Editor& editor) {
-  return editor.playback().is_solving() || editor.race().is_playing() ||
+bool is_busy(const Editor& editor, const Ui& ui) {
+  return ui.is_exporting() || editor.playback().is_solving() || editor.race().is_playing() ||
          editor.files().texture_image().is_reading() || editor.files().image_import().is_busy();
 }
 
@@ -75,14 +75,14 @@ class Player {
     const auto give_up = std::chrono::steady_clock::now() + kPatience;
     do {
       settle();
-      while (is_busy(editor_)) {
+      while (is_busy(editor_, ui_)) {
         if (std::chrono::steady_clock::now() > give_up)
           throw Error("the editor did not come to rest");
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         frame();
       }
       settle();
-    } while (is_busy(editor_));
+    } while (is_busy(editor_, ui_));
   }
 
   void settle() {

@@ -109,7 +109,8 @@ TEST(VectorFigure, IsLikeThePictureFromNearAndFarOfItsMiddle) {
 }
 
 TEST(VectorFigure, HidesWhatLiesBehindWhereLimbsCross) {
-  FigureOptions options = figure_of({&Layers::fill, &Layers::wireframe, &Layers::boundary});
+  FigureOptions options = figure_of({&Layers::fill, &Layers::boundary});
+  options.camera = Camera{{0, 0}, 500};
   expect_like_the_picture(test::crossing_ribbon(), options);
   options.style.layers.fill = false;
   options.style.layers.heat = true;
