@@ -166,7 +166,9 @@ CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
       ->add_option("--time-limit", call.options.time_limit,
                    "processor seconds of a run, 60 when absent")
       ->type_name("SECONDS");
-  bench->add_option("-o,--output", call.folder, "folder for results.csv, summary.md, results.json")
+  bench
+      ->add_option("-o,--output", call.folder,
+                   "folder for results.csv, results.json and tables in Markdown and LaTeX")
       ->type_name("DIR");
   bench->add_option("--keep", call.keep, "folder for the scenes as files")->type_name("DIR");
   return bench;

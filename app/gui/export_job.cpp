@@ -26,6 +26,10 @@ void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer, Fi
       const Image picture = draw_picture(editor, renderer, job.picture);
       glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
       save_png(job.path, picture, picture_texts(editor));
+    } else if (!is_mesh_file(job.path)) {
+      throw Error(
+          job.path.string() +
+          ": end the name with .png, .svg, .pdf, .obj, .off or .ply, which says the format");
     } else {
       export_mesh(editor, job.path);
     }
