@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/bench/bench_pool.h"
-#include "render/figure.h"
+#include "render/figure_options.h"
 
 namespace foldless {
 
@@ -56,6 +56,14 @@ struct RenderCall {
   FigureOptions figure;
 };
 
+/// `foldless render FILE -o OUT.png --ui`
+struct EditorPictureCall {
+  std::filesystem::path file;  ///< a scene, mesh or image
+  std::filesystem::path picture;
+  std::optional<std::array<int, 2>> size;  ///< width and height of the window [pixels]
+  std::optional<Theme> theme;
+};
+
 /// `foldless mesh IMAGE -o OUT`; what is absent follows from the image
 struct MeshCall {
   std::filesystem::path image;
@@ -95,8 +103,8 @@ struct TextCall {
   std::string text;
 };
 
-using Call = std::variant<EditorCall, ReplayCall, SolveCall, RenderCall, MeshCall, CheckCall,
-                          CompareCall, BenchCall, TextCall>;
+using Call = std::variant<EditorCall, ReplayCall, EditorPictureCall, SolveCall, RenderCall,
+                          MeshCall, CheckCall, CompareCall, BenchCall, TextCall>;
 
 /// What the arguments ask for. Throws Error on arguments that make no call.
 Call parse_arguments(int argc, const char* const* argv);

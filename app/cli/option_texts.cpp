@@ -174,6 +174,13 @@ void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
   if (is_transparent) call.figure.style.background = Background::transparent;
 }
 
+EditorPictureCall editor_picture(const Texts& texts, const RenderCall& call) {
+  EditorPictureCall picture{call.file, call.picture, {}, {}};
+  if (!texts.size.empty()) picture.size = read_size(texts.size);
+  if (!texts.theme.empty()) picture.theme = read_theme(texts.theme);
+  return picture;
+}
+
 void read_bench(const Texts& texts, BenchCall& call) {
   constexpr std::array<std::string_view, 6> kSuites{"", "random", "hard", "paper", "scale", "drag"};
   if (std::ranges::find(kSuites, call.suite) == kSuites.end())

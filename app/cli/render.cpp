@@ -11,6 +11,7 @@
 #include "core/files/mesh_io.h"
 #include "core/files/text_lines.h"
 #include "core/run/original_edges.h"
+#include "render/figure.h"
 
 namespace foldless {
 namespace {

@@ -55,6 +55,9 @@ class Player {
     }
   }
 
+  void set_theme(Theme theme) { ui_.settings().theme = theme; }
+  Image picture() { return offscreen_.read(); }
+
   int written() const { return written_; }
   bool has_ended() const { return ui_.wants_to_quit(); }
 
@@ -100,6 +103,18 @@ class Player {
 };
 
 }  // namespace
+
+Image picture_of_editor(const std::filesystem::path& file, Extent size,
+                        std::optional<Theme> theme) {
+  constexpr int kLeast = 64, kMost = 16384;  // pixels a side
+  if (std::min(size.width, size.height) < kLeast || std::max(size.width, size.height) > kMost)
+    throw Error("a window of " + std::to_string(size.width) + " × " + std::to_string(size.height) +
+                " pixels cannot be drawn; a side has 64 to 16384");
+  Player player({size, size, 1}, {});
+  if (theme) player.set_theme(*theme);
+  player.open({file, false});
+  return player.picture();
+}
 
 int replay_session(const ReplayOptions& options) {
   SessionFile session = read_session(options.session);
