@@ -55,14 +55,6 @@ std::array<int, 2> size_of_picture(const Editor& editor, const PictureOptions& o
       std::array{editor.canvas().width * options.factor, editor.canvas().height * options.factor});
 }
 
-namespace {
-
-/// What a picture shows and how large; one factor for all that is drawn.
-struct PictureSetting {
-  SceneView view;
-  ViewOptions style;
-};
-
 PictureSetting picture_setting(const Editor& editor, const PictureOptions& options) {
   PictureSetting setting{scene_view(editor, 0, 0), editor.view().shown_options()};
   auto& [view, style] = setting;
@@ -80,8 +72,6 @@ PictureSetting picture_setting(const Editor& editor, const PictureOptions& optio
   if (options.is_transparent) style.background = Background::transparent;
   return setting;
 }
-
-}  // namespace
 
 Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureOptions& options) {
   if (!editor.shown()) throw Error("There is no mesh to make a picture of: open one first.");

@@ -28,6 +28,14 @@ Layers exported_layers(const Editor& editor);
 /// Width and height of a picture of the canvas. [pixels]
 std::array<int, 2> size_of_picture(const Editor& editor, const PictureOptions& options);
 
+/// What a picture shows, from where and how large; one factor for all that is drawn.
+struct PictureSetting {
+  SceneView view;
+  ViewOptions style;
+};
+/// Precondition: there is a mesh on screen.
+PictureSetting picture_setting(const Editor& editor, const PictureOptions& options);
+
 /// The canvas as the user sees it, drawn anew at the size that is asked for. Needs the renderer's
 /// context; leaves framebuffer 0's owner to bind its framebuffer again. Throws Error when the
 /// graphics card refuses a picture of this size.

@@ -4,7 +4,7 @@
 #include <glad/gl.h>
 
 #include "app/export/vector_figure.h"
-#include "app/gui/figure_export.h"
+#include "app/gui/background_exports.h"
 #include "app/gui/file_browser.h"
 #include "core/error.h"
 
@@ -16,10 +16,11 @@ void export_mesh(const Editor& editor, const std::filesystem::path& path) {
   write_mesh(path, *shown->triangles, shown->deformed, shown->rest.get());
 }
 
-void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer, FigureExport& figures,
-               FileBrowser& browser) {
+void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer,
+               BackgroundExports& exports, FileBrowser& browser) {
   try {
-    if (vector_format_of(job.path)) return figures.start(job.path, editor, job.picture);
+    if (job.is_sequence) return exports.sequence.start(job.path, editor, job.picture);
+    if (vector_format_of(job.path)) return exports.figure.start(job.path, editor, job.picture);
     if (job.is_picture()) {
       GLint bound = 0;
       glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);

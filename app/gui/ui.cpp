@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/ui.h"
 
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,12 +8,11 @@
 #include <utility>
 
 #include "app/gui/appearance.h"
+#include "app/gui/background_exports.h"
 #include "app/gui/canvas_input.h"
 #include "app/gui/canvas_overlay.h"
-#include "app/gui/canvas_picture.h"
 #include "app/gui/dialog_keys.h"
 #include "app/gui/export_job.h"
-#include "app/gui/figure_export.h"
 #include "app/gui/input_feed.h"
 #include "app/gui/names_on_screen.h"
 #include "app/gui/panels.h"
@@ -67,7 +65,7 @@ struct Ui::Parts {
   ImGuiOwner imgui;
   UiRenderer ui_renderer;
   Scenes scenes;
-  FigureExport figures;
+  BackgroundExports exports;
   Thumbnails thumbnails;
   bool has_thumbnails_to_make = false;
   InputFeed feed;
@@ -197,8 +195,8 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
                   preview.has_value(), preview ? preview->words : ""};
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order())
-    carry_out(*job, editor, p.scenes.canvas_renderer(), p.figures, p.state.browser);
-  p.figures.update(editor);
+    carry_out(*job, editor, p.scenes.canvas_renderer(), p.exports, p.state.browser);
+  update_exports(p.exports, editor, spec.time);
   p.scenes.draw(editor, p.layout, spec.framebuffer);
   p.state.heat_range = p.scenes.heat_range();
   draw_panels(editor);
@@ -268,6 +266,7 @@ void Ui::draw_panels(Editor& editor) {
   draw_timeline_panel(editor, context);
   draw_status_bar(editor, context);
   draw_toasts(editor, context);
+  draw_progress(p.exports, p.layout.canvas, p.appearance.look());
   draw_dialogs(editor, context);
 }
 
@@ -283,7 +282,7 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
   return next;
 }
 
-bool Ui::is_exporting() const { return parts_->figures.is_busy(); }
+bool Ui::is_exporting() const { return parts_->exports.is_busy(); }
 
 const Layout& Ui::layout() const { return parts_->layout; }
 
