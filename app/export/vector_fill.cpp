@@ -36,13 +36,15 @@ AffineMap rest_to_pane(const PlacedMesh& mesh, int triangle) {
                       corners_of(mesh, mesh.places, triangle));
 }
 
-/// Adds what of a polygon of the pane lies in dark squares. `to_squares` takes it to the rest plane
-/// in units of squares, from the corner of the board.
+/// Adds what of a polygon of the pane lies in dark squares of the board, which is so large: of
+/// triangles that are all but flat the strips reach far over the rest plane. `to_squares` takes it
+/// to the rest plane in units of squares, from the corner of the board.
 void add_dark_parts(const VectorPane& pane, const Polygon& polygon, const AffineMap& to_squares,
-                    const AffineMap& to_pane) {
-  if (polygon.empty()) return;
+                    const AffineMap& to_pane, const Box& board) {
   Polygon on_board = polygon;
   for (glm::dvec2& p : on_board) p = to_squares(p);
+  on_board = clipped(std::move(on_board), board);
+  if (on_board.empty()) return;
   glm::dvec2 low = on_board.front(), high = low;
   for (const glm::dvec2& p : on_board) {
     low = glm::min(low, p);
@@ -114,6 +116,7 @@ void fill_with_board(const VectorPane& pane, const PlacedMesh& mesh, std::size_t
   const glm::dvec2 extent = mesh.rest_box.max - mesh.rest_box.min;
   const double square = std::max(extent.x, extent.y) / board.squares;
   const AffineMap to_rest{glm::dmat2(square), mesh.rest_box.min};
+  const Box whole_board{{-1, -1}, extent / square + 1.0};
   const Box seen = seen_box(pane);
   // Over sheets behind this one too: else light squares would lie on the soft edge of dark ones.
   const auto is_other_sheet = [&mesh](std::size_t t, std::size_t other) {
@@ -125,7 +128,8 @@ void fill_with_board(const VectorPane& pane, const PlacedMesh& mesh, std::size_t
     const AffineMap to_squares{inverse, -(inverse * to_pane.offset)};
     if (!is_finite(to_pane) || !is_finite(to_squares)) continue;
     for (const Polygon& piece : grown(mesh, t, is_other_sheet))
-      if (may_meet(piece, seen)) add_dark_parts(pane, clipped(piece, seen), to_squares, to_pane);
+      if (may_meet(piece, seen))
+        add_dark_parts(pane, clipped(piece, seen), to_squares, to_pane, whole_board);
   }
   set_colour(pane, board.dark);
   cairo_fill(pane.cairo);

@@ -199,6 +199,18 @@ TEST(VectorFigure, ShowsTrianglesThatAreTurnedOver) {
   expect_like_the_picture(snapshot, figure_of({&Layers::fill, &Layers::wireframe}));
 }
 
+/// The strip beside a triangle without width would cover billions of squares.
+TEST(VectorFigure, OfTrianglesThatAreAllButFlatIsDrawnAtOnce) {
+  Snapshot snapshot = test::crossing_ribbon();
+  for (auto p : snapshot.deformed.colwise()) p.y() *= 1e-12;
+  for (const VectorFormat format : kFormats)
+    EXPECT_LT(vector_figure(format, snapshot, figure_of({&Layers::fill})).size(), 1000000U);
+  snapshot = test::crossing_ribbon();
+  snapshot.deformed.col(30) = snapshot.deformed.col(31) + Vec2(1e-13, 0);
+  EXPECT_LT(vector_figure(VectorFormat::svg, snapshot, figure_of({&Layers::fill})).size(),
+            1000000U);
+}
+
 TEST(VectorFigure, ThatIsTooLargeIsRefusedBeforeItIsDrawn) {
   FigureOptions options = figure_of({&Layers::fill});
   options.width = 16385;
