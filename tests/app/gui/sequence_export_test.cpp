@@ -84,7 +84,10 @@ TEST_F(Sequences, NothingIsLeftWhereTheProgramEnds) {
   {
     SequenceExport sequence;
     sequence.start(folder_ / "film", editor(), options());
-    sequence.update(editor(), 1);
+    ASSERT_TRUE(headless_.wait_until([&] {
+      sequence.update(editor(), ++time_);
+      return sequence.written() > 0;
+    }));
   }
   EXPECT_FALSE(std::filesystem::exists(folder_ / "film"));
 }
