@@ -12,8 +12,15 @@ int replay(const std::filesystem::path& session, const std::filesystem::path& sh
   return foldless::replay_session(options);
 }
 
+foldless::Image picture(const std::filesystem::path& file,
+                        const std::optional<std::array<int, 2>>& size,
+                        std::optional<foldless::Theme> theme) {
+  const auto [width, height] = size.value_or(std::array{1280, 800});
+  return foldless::picture_of_editor(file, {width, height}, theme);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  return foldless::run_command_line(argc, argv, {foldless::run_editor, replay});
+  return foldless::run_command_line(argc, argv, {foldless::run_editor, replay, picture});
 }

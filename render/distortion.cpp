@@ -55,6 +55,21 @@ Distortion distortion_of(std::vector<double> energy_densities) {
   return {std::move(energy_densities), range};
 }
 
+std::optional<Distortion> heat_of(const Snapshot& snapshot,
+                                  const std::vector<double>& energy_densities,
+                                  const ViewOptions& options) {
+  if (!options.layers.heat) return std::nullopt;
+  const bool is_of_energy = options.heat_measure == HeatMeasure::energy;
+  if (is_of_energy && energy_densities.empty()) return std::nullopt;
+  Distortion distortion = is_of_energy ? distortion_of(energy_densities)
+                                       : distortion_of(snapshot, options.heat_measure);
+  if (options.heat_scale) {
+    distortion.range.min = options.heat_scale->front();
+    distortion.range.max = options.heat_scale->back();
+  }
+  return distortion;
+}
+
 double position_on(const HeatRange& range, double value) {
   if (range.max <= range.min || value <= range.min) return 0;
   return std::min(std::log(value / range.min) / std::log(range.max / range.min), 1.0);

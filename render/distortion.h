@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/snapshot.h"
@@ -28,6 +29,12 @@ Distortion distortion_of(const Snapshot& snapshot, HeatMeasure measure);
 /// The same of energies per rest area, which whoever knows the energy computes. The scale has six
 /// decades at most: beneath them energy is as good as none.
 Distortion distortion_of(std::vector<double> energy_densities);
+
+/// What the heat layer shows: the measure and the scale of the options. Nothing when it is off, and
+/// where it is of the energy and `energy_densities` is empty.
+std::optional<Distortion> heat_of(const Snapshot& snapshot,
+                                  const std::vector<double>& energy_densities,
+                                  const ViewOptions& options);
 
 /// Where a value is on the scale, in [0, 1]; 0 on a scale without extent.
 double position_on(const HeatRange& range, double value);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/figure.h"
 
-#include <algorithm>
-#include <glm/common.hpp>
-#include <limits>
+#include <cstddef>
 #include <optional>
-#include <vector>
 
+#include "render/figure_panes.h"
 #include "render/legend.h"
 #include "render/offscreen.h"
 #include "render/render_target.h"
@@ -15,98 +13,18 @@
 namespace foldless {
 namespace {
 
-constexpr double kMargin = 28;  // design pixels round the mesh, room for half a handle
-
-void include(Box& box, double x, double y) {
-  box.min = glm::min(box.min, glm::dvec2(x, y));
-  box.max = glm::max(box.max, glm::dvec2(x, y));
-}
-
-void include(Box& box, const Points& points) {
-  for (const auto& p : points.colwise()) include(box, p.x(), p.y());
-}
-
-constexpr Layers kMiniatureLayers{.wireframe = false, .handles = false};
-/// Of the longer side of a pane.
-constexpr double kMiniature = 0.3;
-
-/// A pane of the figure: which mesh, and where.
-struct Pane {
-  Pose pose;
-  Viewport viewport;
-  bool is_miniature = false;
-};
-
-/// Takes the miniature's part off a pane that shows the deformed mesh.
-Pane cut_off_miniature(Pane& pane) {
-  const Viewport whole = pane.viewport;
-  const bool is_tall = whole.height > whole.width;
-  const int part = static_cast<int>(kMiniature * std::max(whole.width, whole.height));
-  Viewport small = whole;
-  if (is_tall) {
-    small.height = part;
-    pane.viewport.y += part;
-    pane.viewport.height -= part;
-  } else {
-    small.width = part;
-    small.x += whole.width - part;
-    pane.viewport.width -= part;
+/// Puts an opaque colour behind a picture.
+void lay_on(const GroundColour& colour, Image& picture) {
+  for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+    const int alpha = picture.pixels[i + 3];
+    for (std::size_t c = 0; c < colour.size(); ++c)
+      picture.pixels[i + c] = static_cast<std::uint8_t>(
+          (picture.pixels[i + c] * alpha + colour[c] * (255 - alpha) + 127) / 255);
+    picture.pixels[i + 3] = 255;
   }
-  return {pane.pose, small, true};
-}
-
-std::vector<Pane> large_panes_of(const FigureOptions& options, int width) {
-  const int half = width / 2;
-  switch (options.view) {
-    case FigureView::rest: return {{Pose::rest, {0, 0, width, options.height}}};
-    case FigureView::both:
-      return {{Pose::rest, {0, 0, half, options.height}},
-              {Pose::deformed, {half, 0, width - half, options.height}}};
-    default: return {{Pose::deformed, {0, 0, width, options.height}}};
-  }
-}
-
-std::vector<Pane> panes_of(const FigureOptions& options, int width) {
-  std::vector<Pane> panes = large_panes_of(options, width);
-  if (options.miniature && panes.back().pose == Pose::deformed) {
-    const Pane small = cut_off_miniature(panes.back());
-    panes.push_back(small);
-  }
-  return panes;
-}
-
-/// A camera a pane, all but that of a miniature at one scale, so that sizes can be compared.
-std::vector<Camera> cameras_of(const Snapshot& snapshot, const FigureOptions& options,
-                               const std::vector<Pane>& panes) {
-  std::vector<Camera> cameras;
-  double scale = std::numeric_limits<double>::infinity();
-  for (const Pane& pane : panes) {
-    const FigureView view = pane.pose == Pose::rest ? FigureView::rest : FigureView::deformed;
-    const Box box = options.frame ? *options.frame : frame_of(snapshot, view);
-    cameras.push_back(fit_to_box(box, {pane.viewport.width, pane.viewport.height},
-                                 kMargin * options.style.ui_scale));
-    if (!pane.is_miniature) scale = std::min(scale, cameras.back().pixels_per_unit);
-  }
-  for (std::size_t i = 0; i < panes.size(); ++i) {
-    if (panes[i].is_miniature) continue;
-    cameras[i].pixels_per_unit = scale;
-    if (options.camera) cameras[i] = *options.camera;
-  }
-  return cameras;
 }
 
 }  // namespace
-
-Box frame_of(const Snapshot& snapshot, FigureView view) {
-  const Points& first = view == FigureView::deformed ? snapshot.deformed : *snapshot.rest;
-  if (first.cols() == 0) return {};
-  const glm::dvec2 corner(first(0, 0), first(1, 0));
-  Box box{corner, corner};
-  include(box, first);
-  if (view == FigureView::both) include(box, snapshot.deformed);
-  for (const Handle& handle : snapshot.handles) include(box, handle.target.x(), handle.target.y());
-  return box;
-}
 
 struct FigureRenderer::Parts {
   ~Parts() { context.make_current(); }
@@ -146,20 +64,20 @@ Image FigureRenderer::render(const Snapshot& snapshot, const FigureOptions& opti
   parts_->fit_target(options);
   parts_->fit_texture(options);
   parts_->scene.set_parts(options.parts);
-  ViewOptions style = options.style;
-  const int legend = style.layers.heat ? legend_width(style.ui_scale) : 0;
+  ViewOptions ground = options.style;
+  if (options.ground) ground.background = Background::transparent;
   const Viewport whole{0, 0, options.width, options.height};
-  parts_->scene.draw({}, {.viewport = whole}, style);
-  style.background = Background::keep;
-  const std::vector<Pane> panes = panes_of(options, std::max(options.width - legend, 1));
-  const std::vector<Camera> cameras = cameras_of(snapshot, options, panes);
-  for (std::size_t i = 0; i < panes.size(); ++i) {
-    style.pose = panes[i].pose;
-    if (panes[i].is_miniature) style.layers = kMiniatureLayers;
-    parts_->scene.draw(snapshot, {panes[i].viewport, cameras[i], {}, {}}, style);
-  }
+  parts_->scene.draw({}, {.viewport = whole}, ground);
+  for (const FigurePane& pane : figure_panes(snapshot, options))
+    parts_->scene.draw(snapshot,
+                       {.viewport = pane.viewport,
+                        .camera = pane.camera,
+                        .energy_densities = options.energy_densities},
+                       pane.style);
   Image image = parts_->target->read();
-  if (const auto& range = parts_->scene.heat_range()) draw_legend(image, *range, style);
+  const auto& range = parts_->scene.heat_range();
+  if (range && options.has_legend) draw_legend(image, *range, options.style);
+  if (options.ground) lay_on(*options.ground, image);
   return image;
 }
 

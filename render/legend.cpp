@@ -46,12 +46,7 @@ std::vector<LegendTick> round_ticks(const HeatRange& range, const std::vector<do
   return ticks;
 }
 
-/// A rectangle of the picture, in pixels.
-struct Bar {
-  int left, top, width, height;
-};
-
-void draw_bar(Image& image, const Bar& bar, const glm::vec4& frame) {
+void draw_bar(Image& image, const LegendBar& bar, const glm::vec4& frame) {
   for (int y = -1; y <= bar.height; ++y)
     for (int x = -1; x <= bar.width; ++x) {
       const bool is_frame = x < 0 || y < 0 || x == bar.width || y == bar.height;
@@ -60,18 +55,11 @@ void draw_bar(Image& image, const Bar& bar, const glm::vec4& frame) {
     }
 }
 
-void draw_ticks(Image& image, const HeatRange& range, const Bar& bar, const ViewOptions& style) {
-  const glm::vec4& colour = canvas_colours(style.theme).text;
-  const double digit = kDigit * style.ui_scale;
-  const int count = static_cast<int>(bar.height / (kTickDistance * style.ui_scale));
-  for (const LegendTick& tick : legend_ticks(range, std::max(count, 2))) {
-    const double y = bar.top + (1 - tick.t) * bar.height;
-    const int mark = static_cast<int>(4 * style.ui_scale);
-    for (int x = 0; x < mark; ++x)
-      blend(image, bar.left + bar.width + x, static_cast<int>(y - 0.5), colour);
-    const double left = bar.left + bar.width + mark + 0.7 * kGap * style.ui_scale;
-    draw_stroke_text(image, tick.label, {{left, std::round(y + 0.5 * digit)}, digit, colour});
-  }
+/// The bar without its numbers, at the right border in the middle.
+LegendBar bar_of(int width, int height, double scale) {
+  const int long_side = std::min(static_cast<int>(kBarHeight * scale), height * 6 / 10);
+  return {width - legend_width(scale) + static_cast<int>(kGap * scale), (height - long_side) / 2,
+          static_cast<int>(kBarWidth * scale), long_side};
 }
 
 }  // namespace
@@ -90,19 +78,39 @@ std::vector<LegendTick> legend_ticks(const HeatRange& range, int at_most) {
 
 int legend_width(double ui_scale) { return static_cast<int>(kWidth * ui_scale); }
 
-void draw_legend(Image& image, const HeatRange& range, const ViewOptions& style) {
-  const double scale = style.ui_scale;
-  const int height = std::min(static_cast<int>(kBarHeight * scale), image.height * 6 / 10);
-  const Bar bar{image.width - legend_width(scale) + static_cast<int>(kGap * scale),
-                (image.height - height) / 2, static_cast<int>(kBarWidth * scale), height};
-  if (bar.left < 1 || bar.width < 1 || bar.height < 1) return;
-  const glm::vec4& colour = canvas_colours(style.theme).text;
-  draw_bar(image, bar, colour);
-  draw_ticks(image, range, bar, style);
+std::optional<Legend> legend_of(int width, int height, const HeatRange& range,
+                                const ViewOptions& style) {
+  const double scale = style.ui_scale, digit = kDigit * scale;
+  Legend legend;
+  legend.bar = bar_of(width, height, scale);
+  const LegendBar& bar = legend.bar;
+  if (bar.left < 1 || bar.width < 1 || bar.height < 1) return std::nullopt;
+  legend.mark_length = static_cast<int>(4 * scale);
+  legend.colour = canvas_colours(style.theme).text;
+  const int count = static_cast<int>(bar.height / (kTickDistance * scale));
+  const double left = bar.left + bar.width + legend.mark_length + 0.7 * kGap * scale;
+  for (const LegendTick& tick : legend_ticks(range, std::max(count, 2))) {
+    const double y = bar.top + (1 - tick.t) * bar.height;
+    legend.marks.push_back(y);
+    legend.texts.push_back(
+        {tick.label, {{left, std::round(y + 0.5 * digit)}, digit, legend.colour}});
+  }
   constexpr std::array kTitles{"s1/s2", "A'/A", "E/A"};  // in the order of HeatMeasure
-  const char* title = kTitles[static_cast<std::size_t>(range.measure)];
   const glm::dvec2 baseline(bar.left, bar.top - 16 * scale);
-  draw_stroke_text(image, title, {baseline, kDigit * scale, colour});
+  legend.texts.push_back(
+      {kTitles[static_cast<std::size_t>(range.measure)], {baseline, digit, legend.colour}});
+  return legend;
+}
+
+void draw_legend(Image& image, const HeatRange& range, const ViewOptions& style) {
+  const auto legend = legend_of(image.width, image.height, range, style);
+  if (!legend) return;
+  const LegendBar& bar = legend->bar;
+  draw_bar(image, bar, legend->colour);
+  for (const double y : legend->marks)
+    for (int x = 0; x < legend->mark_length; ++x)
+      blend(image, bar.left + bar.width + x, static_cast<int>(y - 0.5), legend->colour);
+  for (const LegendText& text : legend->texts) draw_stroke_text(image, text.words, text.place);
 }
 
 }  // namespace foldless

@@ -2,21 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <glm/vec4.hpp>
 
 #include "render/draw_state.h"
+#include "render/line_style.h"
 #include "render/shader.h"
 
 namespace foldless {
-
-/// How lines look; lengths in design pixels, so that they do not depend on zoom.
-struct LineStyle {
-  glm::vec4 colour{0, 0, 0, 1};  ///< straight alpha
-  float width = 1;
-  float dash = 0;        ///< length of dashes and gaps; 0: a solid line
-  float fade_below = 0;  ///< shorter segments are fainter, so that dense meshes do not go black
-  bool has_round_ends = false;
-};
 
 /// Antialiased segments of constant width on screen.
 class LineLayer {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "render/layer_lists.h"
-
 namespace foldless {
 namespace {
 
@@ -81,28 +79,17 @@ void MeshLayer::adopt_connectivity(const Snapshot& snapshot) {
   corners_.clear();
   for (const int v : snapshot.triangles->reshaped())
     corners_.push_back(static_cast<std::uint32_t>(v));
-  auto [interior, boundary] = mesh_edges(corners_);
   flipped_edges_ = flipped_of(snapshot);
-  std::vector<MeshEdge> flipped;
-  for (const Edge& edge : flipped_edges_) {
-    const auto a = static_cast<std::uint32_t>(edge[0]), b = static_cast<std::uint32_t>(edge[1]);
-    const MeshEdge* found = find_edge(interior, a, b);
-    flipped.push_back(found ? *found : MeshEdge{a, b});
-  }
+  mesh_edges_ = edge_lists(corners_, flipped_edges_);
   const MeshParts none;
   const MeshParts& parts = mesh_parts_ ? *mesh_parts_ : none;
   parts_ = parts_of_triangles(*snapshot.triangles, static_cast<int>(snapshot.rest->cols()), parts);
   part_count_ = std::max<std::size_t>(1, parts.size());
-  mesh_edges_ = {std::move(interior), std::move(boundary), std::move(flipped)};
   revision_ = snapshot.revision;
 }
 
 void MeshLayer::upload_indices() {
-  const int most = sheets_.empty() ? 0 : *std::ranges::max_element(sheets_);
-  std::vector<int> places(sheets_.size());
-  for (std::size_t t = 0; t < places.size(); ++t)
-    places[t] = sheets_[t] * static_cast<int>(part_count_) + parts_[t];
-  LayerLists lists = layer_lists(places, (static_cast<std::size_t>(most) + 1) * part_count_);
+  LayerLists lists = lists_by_part(sheets_, parts_, part_count_);
   order_ = std::move(lists.order);
   triangle_starts_ = std::move(lists.first);
   std::vector<std::uint32_t> indices;
@@ -123,14 +110,7 @@ void MeshLayer::upload_indices() {
 
 void MeshLayer::append_lines(std::vector<std::uint32_t>& lines, EdgeSet set) {
   const std::vector<MeshEdge>& edges = mesh_edges_[static_cast<std::size_t>(set)];
-  const auto sheet_of = [this](int triangle) {
-    return triangle < 0 ? 0 : sheets_[static_cast<std::size_t>(triangle)];
-  };
-  std::vector<int> sheets;
-  sheets.reserve(edges.size());
-  for (const MeshEdge& edge : edges)
-    sheets.push_back(std::max(sheet_of(edge.triangle), sheet_of(edge.other)));
-  LayerLists lists = layer_lists(sheets, sheet_count());
+  LayerLists lists = edges_by_sheet(edges, sheets_);
   for (std::size_t& start : lists.first) start = lines.size() + 2 * start;
   for (const int e : lists.order) {
     const MeshEdge& edge = edges[static_cast<std::size_t>(e)];
@@ -177,20 +157,6 @@ void MeshLayer::draw_edges(EdgeSet set, std::size_t sheet) const {
 
 void MeshLayer::draw_rest_boundary() const {
   draw_lines(rest_lines_, starts(EdgeSet::boundary).front(), starts(EdgeSet::boundary).back());
-}
-
-std::vector<std::vector<int>> MeshLayer::vertices_by_sheet() const {
-  std::vector<int> sheet_of;
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    if (corners_[i] >= sheet_of.size()) sheet_of.resize(corners_[i] + 1, -1);
-    int& sheet = sheet_of[corners_[i]];
-    sheet = std::max(sheet, sheets_[i / 3]);
-  }
-  std::vector<std::vector<int>> vertices(sheet_count());
-  for (std::size_t v = 0; v < sheet_of.size(); ++v)
-    if (sheet_of[v] >= 0)
-      vertices[static_cast<std::size_t>(sheet_of[v])].push_back(static_cast<int>(v));
-  return vertices;
 }
 
 }  // namespace foldless

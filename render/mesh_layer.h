@@ -12,14 +12,11 @@
 #include "core/snapshot.h"
 #include "render/camera.h"
 #include "render/gl_objects.h"
-#include "render/mesh_edges.h"
+#include "render/mesh_sheets.h"
 #include "render/render_stats.h"
 #include "render/view_options.h"
 
 namespace foldless {
-
-/// Edges of two triangles, of one, and those that the original mesh lacks.
-enum class EdgeSet { interior, boundary, flipped };
 
 /// A mesh on the graphics card: positions go there with every update, connectivity and rest
 /// positions only when Snapshot::revision changed, and indices also when other sheets lie in front.
@@ -58,8 +55,10 @@ class MeshLayer {
   void draw_edges(EdgeSet set, std::size_t sheet) const;
   /// GL_LINES of the boundary of the rest mesh.
   void draw_rest_boundary() const;
-  /// The vertices of a sheet: each belongs to the foremost of its triangles'.
-  std::vector<std::vector<int>> vertices_by_sheet() const;
+  /// See vertices_by_sheet() of the mesh.
+  std::vector<std::vector<int>> sheet_vertices() const {
+    return vertices_by_sheet(corners_, sheets_);
+  }
 
   /// The middle of the rest mesh's box is at (0, 0) on the card, its larger side is 1 long.
   const LocalFrame& local() const { return local_; }
@@ -91,7 +90,7 @@ class MeshLayer {
   std::vector<std::size_t> triangle_starts_{0, 0};
   std::array<std::vector<std::size_t>, 3> edge_starts_;  ///< by EdgeSet, in the edge buffer
   std::vector<std::uint32_t> corners_;                   ///< three a triangle
-  std::array<std::vector<MeshEdge>, 3> mesh_edges_;      ///< by EdgeSet
+  EdgeLists mesh_edges_;
   Box rest_box_;
   LocalFrame local_;
   std::optional<std::uint64_t> revision_;

@@ -3,6 +3,7 @@
 
 #include "core/data_path.h"
 #include "render/draw_state.h"
+#include "render/edge_lines.h"
 #include "render/fill_layer.h"
 #include "render/line_layer.h"
 #include "render/marker_layer.h"
@@ -10,16 +11,6 @@
 #include "render/theme.h"
 
 namespace foldless {
-namespace {
-
-constexpr float kWireFade = 9;  // design pixels; edges of a mesh finer than this grow fainter
-
-float line_width(float width, const ViewOptions& options) {
-  return width * static_cast<float>(options.line_width);
-}
-
-}  // namespace
-
 struct SceneRenderer::Parts {
   explicit Parts(const std::filesystem::path& shader_folder)
       : lines(shader_folder), fill(shader_folder), markers(shader_folder) {}
@@ -37,26 +28,17 @@ struct SceneRenderer::Parts {
 };
 
 void SceneRenderer::Parts::draw_rest(const Frame& frame, const ViewOptions& options) const {
-  const glm::vec4& colour = canvas_colours(options.theme).rest;
-  lines.begin(frame,
-              {.colour = colour, .width = line_width(1.5F, options), .has_round_ends = true});
+  lines.begin(frame, rest_outline(options));
   mesh.draw_rest_boundary();
 }
 
 void SceneRenderer::Parts::prepare_heat(const Snapshot& snapshot, const SceneView& view,
                                         const ViewOptions& options) {
   heat_range.reset();
-  if (!options.layers.heat) return;
-  const bool is_of_energy = options.heat_measure == HeatMeasure::energy;
-  if (is_of_energy && view.energy_densities.empty()) return;
-  Distortion distortion = is_of_energy ? distortion_of(view.energy_densities)
-                                       : distortion_of(snapshot, options.heat_measure);
-  if (options.heat_scale) {
-    distortion.range.min = options.heat_scale->front();
-    distortion.range.max = options.heat_scale->back();
-  }
-  heat_range = distortion.range;
-  fill.upload_heat(mesh, distortion);
+  const auto distortion = heat_of(snapshot, view.energy_densities, options);
+  if (!distortion) return;
+  heat_range = distortion->range;
+  fill.upload_heat(mesh, *distortion);
 }
 
 void SceneRenderer::Parts::draw_inside(const Frame& frame, std::size_t sheet,
@@ -72,29 +54,9 @@ void SceneRenderer::Parts::draw_inside(const Frame& frame, std::size_t sheet,
 
 void SceneRenderer::Parts::draw_edges(const Frame& frame, std::size_t sheet,
                                       const ViewOptions& options) const {
-  const CanvasColours& colours = canvas_colours(options.theme);
-  const bool is_filled = options.layers.fill || options.layers.heat;
-  if (options.layers.wireframe) {
-    // Without a fill the edges lie on the canvas and take the colour that stands out there.
-    const glm::vec4& colour = is_filled ? colours.wire : colours.rest;
-    lines.begin(frame,
-                {.colour = colour, .width = line_width(1, options), .fade_below = kWireFade});
-    mesh.draw_edges(EdgeSet::interior, sheet);
-  }
-  if (options.layers.boundary) {
-    const glm::vec4& colour = is_filled ? colours.boundary : colours.text;
-    lines.begin(frame, {.colour = colour, .width = line_width(2, options), .has_round_ends = true});
-    mesh.draw_edges(EdgeSet::boundary, sheet);
-  }
-  if (options.layers.remeshed) {
-    lines.begin(
-        frame,
-        {.colour = colours.casing, .width = line_width(4.5F, options), .has_round_ends = true});
-    mesh.draw_edges(EdgeSet::flipped, sheet);
-    lines.begin(
-        frame,
-        {.colour = colours.flipped, .width = line_width(2.25F, options), .has_round_ends = true});
-    mesh.draw_edges(EdgeSet::flipped, sheet);
+  for (const EdgeLines& edges : edge_lines(options)) {
+    lines.begin(frame, edges.style);
+    mesh.draw_edges(edges.set, sheet);
   }
 }
 
@@ -139,7 +101,7 @@ void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
   // Whatever layers are on: a map that is not valid shows it.
   const bool shows_folds = snapshot.folded_triangles > 0 && options.pose == Pose::deformed;
   std::vector<std::vector<int>> vertices;
-  if (options.layers.remeshed) vertices = parts_->mesh.vertices_by_sheet();
+  if (options.layers.remeshed) vertices = parts_->mesh.sheet_vertices();
   for (std::size_t sheet = 0; sheet < parts_->mesh.sheet_count(); ++sheet) {
     parts_->draw_inside(frame, sheet, options);
     if (shows_folds) parts_->fill.draw_folded(frame, parts_->mesh, sheet, colours.folded);

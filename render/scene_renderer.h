@@ -14,16 +14,9 @@
 #include "render/render_stats.h"
 #include "render/texture_pieces.h"
 #include "render/view_options.h"
+#include "render/viewport.h"
 
 namespace foldless {
-
-/// A rectangle of the framebuffer in pixels, origin at its lower left corner as in glViewport.
-struct Viewport {
-  int x = 0;
-  int y = 0;
-  int width = 1;
-  int height = 1;
-};
 
 /// From where a snapshot is seen, and what the user has under the hand.
 struct SceneView {

@@ -44,10 +44,6 @@ constexpr std::array<Glyph, 18> kGlyphs{{
     {'\'', 0, "0604"},
 }};
 
-struct Segment {
-  glm::dvec2 a, b;
-};
-
 const Glyph* glyph_of(char letter) {
   const auto* found = std::find_if(kGlyphs.begin(), kGlyphs.end(),
                                    [&](const Glyph& g) { return g.letter == letter; });
@@ -59,8 +55,8 @@ double width_of(char letter) {
   return glyph ? glyph->width : 2;
 }
 
-/// Segments of a glyph whose lower left grid point is at `corner`, in pixels with y down.
-void add_segments(std::vector<Segment>& segments, const Glyph& glyph, glm::dvec2 corner,
+/// StrokeLines of a glyph whose lower left grid point is at `corner`, in pixels with y down.
+void add_segments(std::vector<StrokeLine>& segments, const Glyph& glyph, glm::dvec2 corner,
                   double step) {
   bool is_pen_down = false;
   glm::dvec2 pen{0, 0};
@@ -79,7 +75,7 @@ void add_segments(std::vector<Segment>& segments, const Glyph& glyph, glm::dvec2
   }
 }
 
-double distance_to(const Segment& s, glm::dvec2 p) {
+double distance_to(const StrokeLine& s, glm::dvec2 p) {
   const glm::dvec2 way = s.b - s.a;
   const double length_squared = glm::dot(way, way);
   const double t =
@@ -87,9 +83,9 @@ double distance_to(const Segment& s, glm::dvec2 p) {
   return glm::distance(p, s.a + t * way);
 }
 
-double distance_to(const std::vector<Segment>& segments, glm::dvec2 p) {
+double distance_to(const std::vector<StrokeLine>& segments, glm::dvec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Segment& segment : segments) nearest = std::min(nearest, distance_to(segment, p));
+  for (const StrokeLine& segment : segments) nearest = std::min(nearest, distance_to(segment, p));
   return nearest;
 }
 
@@ -101,23 +97,31 @@ double stroke_text_width(std::string_view text, double height) {
   return text.empty() ? 0 : (width - kAdvance) * height / kCellHeight;
 }
 
-void draw_stroke_text(Image& image, std::string_view text, const StrokeText& place) {
+double stroke_width(double height) { return 2 * std::max(0.5, 0.07 * height); }
+
+std::vector<StrokeLine> stroke_lines(std::string_view text, const StrokeText& place) {
   const double step = place.height / kCellHeight;
-  const double half_width = std::max(0.5, 0.07 * place.height);
-  std::vector<Segment> segments;
+  std::vector<StrokeLine> lines;
   glm::dvec2 corner = place.baseline;
   for (const char letter : text) {
-    if (const Glyph* glyph = glyph_of(letter)) add_segments(segments, *glyph, corner, step);
+    if (const Glyph* glyph = glyph_of(letter)) add_segments(lines, *glyph, corner, step);
     corner.x += step * (width_of(letter) + kAdvance);
   }
+  return lines;
+}
+
+void draw_stroke_text(Image& image, std::string_view text, const StrokeText& place) {
+  const std::vector<StrokeLine> lines = stroke_lines(text, place);
+  const double half_width = 0.5 * stroke_width(place.height);
+  const double width = stroke_text_width(text, place.height);
   const auto reach = static_cast<int>(std::ceil(half_width + 1));
   const auto left = static_cast<int>(place.baseline.x) - reach;
-  const auto right = static_cast<int>(corner.x) + reach;
+  const auto right = static_cast<int>(place.baseline.x + width) + reach;
   const auto bottom = static_cast<int>(place.baseline.y) + reach;
   const auto top = static_cast<int>(place.baseline.y - place.height) - reach;
   for (int y = top; y <= bottom; ++y)
     for (int x = left; x <= right; ++x) {
-      const double coverage = half_width + 0.5 - distance_to(segments, {x + 0.5, y + 0.5});
+      const double coverage = half_width + 0.5 - distance_to(lines, {x + 0.5, y + 0.5});
       glm::vec4 colour = place.colour;
       colour.a *= static_cast<float>(std::clamp(coverage, 0.0, 1.0));
       blend(image, x, y, colour);

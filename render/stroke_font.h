@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <string_view>
+#include <vector>
 
 #include "render/image.h"
 
@@ -15,6 +16,16 @@ struct StrokeText {
   double height = 10;            ///< of a digit
   glm::vec4 colour{0, 0, 0, 1};  ///< straight alpha
 };
+
+/// A stroke with round ends, in pixels.
+struct StrokeLine {
+  glm::dvec2 a, b;
+};
+
+/// The strokes of a text; see draw_stroke_text().
+std::vector<StrokeLine> stroke_lines(std::string_view text, const StrokeText& place);
+/// How wide the strokes of a text are. [pixels]
+double stroke_width(double height);
 
 /// Draws text in single strokes, for numbers in pictures without a font: the digits, `.-+e/A'`
 /// and σ, written as `s`. Other characters leave a gap.

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "core/files/latex_table.h"
+
 namespace foldless {
 namespace {
 
@@ -66,6 +68,8 @@ std::string TextTable::markdown() const {
   }
   return text;
 }
+
+std::string TextTable::latex() const { return latex_table(rows_); }
 
 std::string TextTable::csv() const {
   std::string text;

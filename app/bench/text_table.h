@@ -19,6 +19,8 @@ class TextTable {
   /// Columns of equal width for a terminal, two blanks between them.
   std::string plain() const;
   std::string markdown() const;
+  /// See latex_table().
+  std::string latex() const;
   /// Commas between, quotation marks where need be.
   std::string csv() const;
 

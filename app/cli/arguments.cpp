@@ -54,13 +54,19 @@ CLI::App* add_solve(CLI::App& app, SolveCall& call, Texts& texts) {
   return solve;
 }
 
-CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, bool& is_transparent) {
+/// The flags of `render` that are no values.
+struct RenderFlags {
+  bool is_transparent = false;
+  bool is_of_editor = false;
+};
+
+CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, RenderFlags& flags) {
   CLI::App* render = app.add_subcommand("render", "draw a scene or a solved folder off screen");
   render->add_option("FILE", call.file, "scene, mesh, folder written by solve, or rest,deformed")
       ->required();
-  render->add_option("-o,--output", call.picture, "picture to write")
+  render->add_option("-o,--output", call.picture, "picture to write, .png, .svg or .pdf")
       ->required()
-      ->type_name("OUT.png");
+      ->type_name("OUT");
   render->add_option("--size", texts.size, "size in pixels, 1200x900 when absent")
       ->type_name("WxH");
   render->add_option("--view", texts.view, "deformed (when absent), rest or both")
@@ -81,7 +87,9 @@ CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, bool& is_tra
       ->type_name("X,Y,ZOOM");
   render->add_option("--line-width", texts.line_width, "factor on the width of edges")
       ->type_name("FACTOR");
-  render->add_flag("--transparent", is_transparent, "transparent background");
+  render->add_flag("--transparent", flags.is_transparent, "transparent background");
+  render->add_flag("--ui", flags.is_of_editor,
+                   "the whole editor with the file open, as PNG; takes --size and --theme alone");
   render->add_flag("--miniature", call.figure.miniature,
                    "the deformed mesh once more, small, with its checkerboard alone");
   return render;
@@ -169,10 +177,24 @@ CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
       ->add_option("--time-limit", call.options.time_limit,
                    "processor seconds of a run, 60 when absent")
       ->type_name("SECONDS");
-  bench->add_option("-o,--output", call.folder, "folder for results.csv, summary.md, results.json")
+  bench
+      ->add_option("-o,--output", call.folder,
+                   "folder for results.csv, results.json and tables in Markdown and LaTeX")
       ->type_name("DIR");
   bench->add_option("--keep", call.keep, "folder for the scenes as files")->type_name("DIR");
   return bench;
+}
+
+/// With --ui. Throws Error where another option asks for what the editor itself decides.
+EditorPictureCall editor_picture_call(const CLI::App& render, const RenderCall& call,
+                                      const Texts& texts) {
+  for (const char* const flag : {"--view", "--layers", "--texture", "--samples", "--background",
+                                 "--camera", "--line-width", "--transparent", "--miniature"})
+    if (render.count(flag) > 0)
+      throw Error("--ui shows the editor as it opens the file: leave out " + std::string(flag));
+  if (call.picture.extension() != ".png")
+    throw Error(call.picture.string() + ": --ui writes a PNG; end the name with .png");
+  return editor_picture(texts, call);
 }
 
 /// Every help ends with an example that can be pasted.
@@ -212,7 +234,7 @@ Call parse_arguments(int argc, const char* const* argv) {
   CompareCall compare_call;
   BenchCall bench_call;
   Texts texts;
-  bool is_transparent = false;
+  RenderFlags render_flags;
   app.add_option("FILE", editor.file,
                  "scene, mesh or image to open in the editor; a sample when absent");
   app.add_option(
@@ -220,7 +242,7 @@ Call parse_arguments(int argc, const char* const* argv) {
          "write what is done in the editor to a file, for replay; Shift+F12 takes a picture")
       ->type_name("SESSION");
   const CLI::App* solve = add_solve(app, solve_call, texts);
-  const CLI::App* render = add_render(app, render_call, texts, is_transparent);
+  const CLI::App* render = add_render(app, render_call, texts, render_flags);
   const CLI::App* mesh = add_mesh(app, mesh_call);
   const CLI::App* check = add_check(app, check_call);
   const CLI::App* compare = add_compare(app, compare_call);
@@ -241,7 +263,8 @@ Call parse_arguments(int argc, const char* const* argv) {
     return solve_call;
   }
   if (render->parsed()) {
-    read_render(texts, is_transparent, render_call);
+    if (render_flags.is_of_editor) return editor_picture_call(*render, render_call, texts);
+    read_render(texts, render_flags.is_transparent, render_call);
     return render_call;
   }
   if (mesh->parsed()) return mesh_call;

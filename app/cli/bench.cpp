@@ -125,6 +125,8 @@ void write_comparison(const std::filesystem::path& folder, const Rows& rows) {
     summary += "\n## Reached by difficulty\n\n" + table.markdown();
   summary += "\n## Runs\n\n" + rows_table(rows).markdown();
   write_file_atomically(folder / "summary.md", summary);
+  write_file_atomically(folder / "summary.tex", summary_table(summaries_of(rows)).latex());
+  write_file_atomically(folder / "runs.tex", rows_table(rows).latex());
 }
 
 void print_comparison(const Rows& rows) {
@@ -139,6 +141,7 @@ void write_paper(const std::filesystem::path& folder, const PaperSuite& suite, c
   const TextTable table = table1(suite, rows);
   write_file_atomically(folder / "table1.csv", table.csv());
   write_file_atomically(folder / "table1.md", table.markdown());
+  write_file_atomically(folder / "table1.tex", table.latex());
   for (const PlotFile& plot : figure13(rows)) write_file_atomically(folder / plot.name, plot.svg);
 }
 
@@ -183,6 +186,7 @@ void run_scale(const BenchCall& call, const Interrupt& interrupt) {
   if (!call.folder) return;
   write_rows(*call.folder, rows);
   write_file_atomically(*call.folder / "summary.md", scale_table(rows).markdown());
+  write_file_atomically(*call.folder / "summary.tex", scale_table(rows).latex());
 }
 
 void write_drags(const std::filesystem::path& folder, const Rows& rows) {
@@ -190,6 +194,7 @@ void write_drags(const std::filesystem::path& folder, const Rows& rows) {
   write_file_atomically(folder / "results.json", json_text(drag_node(rows)));
   write_file_atomically(folder / "frames.csv", drag_frames_table(rows).csv());
   write_file_atomically(folder / "summary.md", drag_table(rows).markdown());
+  write_file_atomically(folder / "summary.tex", drag_table(rows).latex());
 }
 
 void run_drags(const BenchCall& call, const Interrupt& interrupt) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/bench/bench_pool.h"
-#include "render/figure.h"
+#include "render/figure_options.h"
 
 namespace foldless {
 
@@ -48,14 +48,20 @@ struct SolveCall {
   bool quiet = false;                       ///< nothing on stdout
 };
 
-/// `foldless render FILE -o OUT.png`
+/// `foldless render FILE -o OUT`
 struct RenderCall {
-  std::string file;  ///< a scene, a mesh, a solved folder, or `rest,deformed`
-  std::filesystem::path picture;
+  std::string file;               ///< a scene, a mesh, a solved folder, or `rest,deformed`
+  std::filesystem::path picture;  ///< .png, .svg or .pdf
   std::optional<std::filesystem::path> texture;  ///< instead of that of the scene
   FigureOptions figure;
-  /// Red, green, blue behind the drawing; absent: that of the theme, or none.
-  std::optional<std::array<std::uint8_t, 3>> background;
+};
+
+/// `foldless render FILE -o OUT.png --ui`
+struct EditorPictureCall {
+  std::filesystem::path file;  ///< a scene, mesh or image
+  std::filesystem::path picture;
+  std::optional<std::array<int, 2>> size;  ///< width and height of the window [pixels]
+  std::optional<Theme> theme;
 };
 
 /// `foldless mesh IMAGE -o OUT`; what is absent follows from the image
@@ -98,8 +104,8 @@ struct TextCall {
   std::string text;
 };
 
-using Call = std::variant<EditorCall, ReplayCall, SolveCall, RenderCall, MeshCall, CheckCall,
-                          CompareCall, BenchCall, TextCall>;
+using Call = std::variant<EditorCall, ReplayCall, EditorPictureCall, SolveCall, RenderCall,
+                          MeshCall, CheckCall, CompareCall, BenchCall, TextCall>;
 
 /// What the arguments ask for. Throws Error on arguments that make no call.
 Call parse_arguments(int argc, const char* const* argv);

@@ -22,6 +22,11 @@ struct Runner {
               << '\n';
     return kExitDone;
   }
+  int operator()(const EditorPictureCall& call) const {
+    save_png(call.picture, editor.picture(call.file, call.size, call.theme),
+             {{"Software", "Foldless"}, {"Scene", call.file.string()}});
+    return kExitDone;
+  }
   int operator()(const SolveCall& call) const { return solve(call); }
   int operator()(const RenderCall& call) const { return render(call); }
   int operator()(const MeshCall& call) const { return mesh(call); }

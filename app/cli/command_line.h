@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "app/exit_status.h"
+#include "render/image.h"
+#include "render/view_options.h"
 
 namespace foldless {
 
@@ -16,12 +18,16 @@ struct EditorCalls {
   /// status when the window was closed. Records the session in `record` unless that is empty.
   std::function<int(const std::optional<std::filesystem::path>& file,
                     const std::filesystem::path& record)>
-      open;
+      open = {};
   /// Replays a session off screen, in a window of `size` if given, with pictures in the folder
   /// `shots`; returns how many there are.
   std::function<int(const std::filesystem::path& session, const std::filesystem::path& shots,
                     const std::optional<std::array<int, 2>>& size)>
-      replay;
+      replay = {};
+  /// Draws the whole editor off screen, at rest on a file, in a window of `size` if given.
+  std::function<Image(const std::filesystem::path& file,
+                      const std::optional<std::array<int, 2>>& size, std::optional<Theme> theme)>
+      picture = {};
 };
 
 /// The whole program but for the window: parses the arguments, runs the call they ask for and

@@ -107,11 +107,11 @@ double read_line_width(const std::string& text) {
   return *factor;
 }
 
-std::array<std::uint8_t, 3> read_colour(const std::string& text) {
+GroundColour read_colour(const std::string& text) {
   const bool is_colour = text.size() == 7 && text[0] == '#' &&
                          text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (!is_colour) throw Error("--background takes a colour as #RRGGBB, not " + in_quotes(text));
-  std::array<std::uint8_t, 3> colour{};
+  GroundColour colour{};
   for (std::size_t i = 0; i < colour.size(); ++i)
     colour[i] = static_cast<std::uint8_t>(std::stoi(text.substr(1 + 2 * i, 2), nullptr, 16));
   return colour;
@@ -167,11 +167,18 @@ void read_render(const Texts& texts, bool is_transparent, RenderCall& call) {
   if (!texts.theme.empty()) call.figure.style.theme = read_theme(texts.theme);
   if (!texts.camera.empty()) call.figure.camera = read_camera(texts.camera);
   if (!texts.line_width.empty()) call.figure.style.line_width = read_line_width(texts.line_width);
-  if (!texts.background.empty()) call.background = read_colour(texts.background);
-  if (is_transparent && call.background)
+  if (!texts.background.empty()) call.figure.ground = read_colour(texts.background);
+  if (is_transparent && call.figure.ground)
     throw Error("--background and --transparent exclude each other");
   if (call.figure.samples < 1) throw Error("--samples takes a number of 1 or more");
   if (is_transparent) call.figure.style.background = Background::transparent;
+}
+
+EditorPictureCall editor_picture(const Texts& texts, const RenderCall& call) {
+  EditorPictureCall picture{call.file, call.picture, {}, {}};
+  if (!texts.size.empty()) picture.size = read_size(texts.size);
+  if (!texts.theme.empty()) picture.theme = read_theme(texts.theme);
+  return picture;
 }
 
 void read_bench(const Texts& texts, BenchCall& call) {

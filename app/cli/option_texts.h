@@ -51,6 +51,8 @@ void read_solve(const Texts& texts, SolveCall& call);
 /// `1200x900`: width and height.
 std::array<int, 2> read_size(const std::string& text);
 void read_render(const Texts& texts, bool is_transparent, RenderCall& call);
+/// Of --ui.
+EditorPictureCall editor_picture(const Texts& texts, const RenderCall& call);
 void read_bench(const Texts& texts, BenchCall& call);
 
 }  // namespace foldless

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -8,10 +6,12 @@
 #include "app/cli/command_line.h"
 #include "app/cli/problem.h"
 #include "app/cli/solved_folder.h"
+#include "app/export/vector_figure.h"
 #include "core/error.h"
 #include "core/files/mesh_io.h"
 #include "core/files/text_lines.h"
 #include "core/run/original_edges.h"
+#include "render/figure.h"
 
 namespace foldless {
 namespace {
@@ -57,32 +57,24 @@ Subject read_subject(const std::string& file) {
   return subject_of(is_mesh_file(file) ? scene_from_mesh(file) : load_scene_file(file));
 }
 
-/// Puts an opaque colour behind a picture.
-void lay_on(const std::array<std::uint8_t, 3>& colour, Image& picture) {
-  for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
-    const int alpha = picture.pixels[i + 3];
-    for (std::size_t c = 0; c < colour.size(); ++c)
-      picture.pixels[i + c] = static_cast<std::uint8_t>(
-          (picture.pixels[i + c] * alpha + colour[c] * (255 - alpha) + 127) / 255);
-    picture.pixels[i + 3] = 255;
-  }
-}
-
 }  // namespace
 
 int render(const RenderCall& call) {
-  if (call.picture.extension() != ".png")
-    throw Error(call.picture.string() + ": pictures are written as PNG; end the name with .png");
+  const bool is_vector = vector_format_of(call.picture).has_value();
+  if (!is_vector && call.picture.extension() != ".png")
+    throw Error(call.picture.string() +
+                ": pictures are written as PNG, SVG or PDF; end the name with .png, .svg or .pdf");
   Subject subject = read_subject(call.file);
   if (call.texture) subject.texture = call.texture;
   FigureOptions figure = call.figure;
   if (subject.texture) figure.texture = read_texture(*subject.texture, subject.parts);
   figure.texture_place = subject.texture_place;
   figure.parts = subject.parts;
-  if (call.background) figure.style.background = Background::transparent;
-  Image picture = render_figure(subject.snapshot, figure);
-  if (call.background) lay_on(*call.background, picture);
-  save_png(call.picture, picture, {{"Software", "Foldless"}, {"Scene", call.file}});
+  const ImageTexts texts{{"Software", "Foldless"}, {"Scene", call.file}};
+  if (is_vector)
+    save_vector_figure(call.picture, subject.snapshot, figure, texts);
+  else
+    save_png(call.picture, render_figure(subject.snapshot, figure), texts);
   return kExitDone;
 }
 

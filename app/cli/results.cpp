@@ -9,6 +9,7 @@
 #include "core/files/iterations_csv.h"
 #include "core/files/mesh_io.h"
 #include "core/files/text_lines.h"
+#include "render/figure_panes.h"
 
 namespace foldless {
 namespace {

@@ -151,7 +151,7 @@ std::vector<Command> file_commands() {
       {"file.export_again", "File", "Export again", {{Key::e, kControlShift}}, has_mesh, ask<Request::export_again>},
       in_race({"file.export_csv", "File", "Export convergence as CSV\u2026", {}, has_iterations, ask<Request::export_csv>}),
       in_race({"file.export_svg", "File", "Export convergence plots as SVG\u2026", {}, has_iterations, ask<Request::export_svg>}),
-      in_race({"file.export_table", "File", "Export the race's table as CSV\u2026", {}, has_race, ask<Request::export_table>}),
+      in_race({"file.export_table", "File", "Export the race's table\u2026", {}, has_race, ask<Request::export_table>}),
       {"file.recover", "File", "Recover unsaved work\u2026", {}, always, find_lost_work},
       in_race({"file.quit", "File", "Quit", {{Key::q, kControl}}, always, call<&DocumentFiles::close>}),
   };

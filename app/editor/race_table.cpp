@@ -2,9 +2,14 @@
 #include "app/editor/race_table.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <initializer_list>
+#include <vector>
 
+#include "core/error.h"
 #include "core/files/iterations_csv.h"
+#include "core/files/latex_table.h"
 #include "core/files/text_lines.h"
 
 namespace foldless {
@@ -44,6 +49,13 @@ void append_row(std::string& text, const RaceLane& lane, const Document& documen
   text += '\n';
 }
 
+std::string three_digits(double value) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
+  return {text.data(), end.ptr};
+}
+
 }  // namespace
 
 std::string_view convergence_letter(const RaceLane& lane) {
@@ -74,6 +86,30 @@ std::string race_table_csv(const Race& race) {
   std::string text(kTableColumns);
   for (const auto& lane : race.lanes()) append_row(text, *lane, race.document());
   return text;
+}
+
+std::string race_table_latex(const Race& race) {
+  std::vector<std::vector<std::string>> rows{{"lane", "method", "δ", "η", "largest", "mean", "‖P‖²",
+                                              "CI", "H", "U", "seconds", "flips", "splits",
+                                              "inverted"}};
+  for (const auto& lane : race.lanes()) {
+    const Iteration record = lane->record() ? *lane->record() : Iteration{};
+    rows.push_back(
+        {lane->title(), lane->parameters().method, three_digits(lane->parameters().delta),
+         three_digits(lane->parameters().eta), three_digits(lane->proof().max_conformal_distortion),
+         three_digits(record.mean_conformal_distortion), three_digits(record.handle_error_squared),
+         std::string(convergence_letter(*lane)), std::to_string(record.factorizations),
+         std::to_string(record.updates), three_digits(record.seconds), std::to_string(record.flips),
+         std::to_string(record.splits), std::to_string(lane->proof().inverted)});
+  }
+  return latex_table(rows);
+}
+
+bool is_latex_table(const std::filesystem::path& file) {
+  if (file.extension() == ".tex") return true;
+  if (file.extension() == ".csv") return false;
+  throw Error(file.string() +
+              ": tables are written as CSV or LaTeX; end the name with .csv or .tex");
 }
 
 std::string race_records_csv(const Race& race) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,12 @@ std::vector<std::optional<int>> race_places(const Race& race);
 /// conformal distortion, ‖P‖², convergence, H, U, seconds, flips, splits, inverted triangles.
 /// As the paper's Table 1.
 std::string race_table_csv(const Race& race);
+
+/// The same table for papers, numbers to three digits; see latex_table().
+std::string race_table_latex(const Race& race);
+
+/// Whether a table of that name is LaTeX; else it is CSV. Throws Error on other endings.
+bool is_latex_table(const std::filesystem::path& file);
 
 /// A row an iteration and lane, up to the furthest tick: the lane's title and the columns of
 /// iterations.csv.

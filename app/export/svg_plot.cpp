@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/export/svg_axis.h"
+#include "app/export/xml_text.h"
 
 namespace foldless {
 namespace {
@@ -27,18 +28,6 @@ std::string pixels(double value) {
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                  std::chars_format::fixed, 1);
   return {buffer.data(), end.ptr};
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
-    }
-  return result;
 }
 
 std::string at(double x, double y) { return " x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\""; }
@@ -100,7 +89,7 @@ class Writer {
   double bottom() const { return frame_.top + frame_.height; }
 
   std::string colour_of(std::size_t i) const {
-    if (!series_[i].colour.empty()) return escaped(series_[i].colour);
+    if (!series_[i].colour.empty()) return xml_escaped(series_[i].colour);
     return std::string(kPalette[i % kPalette.size()]);
   }
 
@@ -119,11 +108,12 @@ class Writer {
              "\" height=\"" + pixels(frame_.height) + "\" fill=\"none\" stroke=\"#222222\"/>\n";
     const double middle = frame_.left + frame_.width / 2;
     text_ += "<text" + at(middle, 22) + " text-anchor=\"middle\" font-size=\"14\">" +
-             escaped(options_.title) + "</text>\n<text" + at(middle, bottom() + 40) +
-             " text-anchor=\"middle\">" + escaped(options_.x.label) + "</text>\n";
+             xml_escaped(options_.title) + "</text>\n<text" + at(middle, bottom() + 40) +
+             " text-anchor=\"middle\">" + xml_escaped(options_.x.label) + "</text>\n";
     const std::string turned = pixels(frame_.top + frame_.height / 2);
     text_ += "<text transform=\"translate(18 " + turned +
-             ") rotate(-90)\" text-anchor=\"middle\">" + escaped(options_.y.label) + "</text>\n";
+             ") rotate(-90)\" text-anchor=\"middle\">" + xml_escaped(options_.y.label) +
+             "</text>\n";
   }
 
   /// A polyline for every stretch without a gap; a lone point becomes a dot.
@@ -159,7 +149,7 @@ class Writer {
       y += 18;
       text_ += line(box.left + 6, y - 4, box.left + 30, y - 4) + " stroke=\"" + colour_of(i) +
                "\" stroke-width=\"2\"/>\n<text" + at(box.left + 36, y) + ">" +
-               escaped(series_[i].name) + "</text>\n";
+               xml_escaped(series_[i].name) + "</text>\n";
     }
   }
 

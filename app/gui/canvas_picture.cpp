@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 #include "core/error.h"
 #include "render/render_target.h"
@@ -29,6 +30,11 @@ std::vector<double> energy_densities(const Snapshot& snapshot, const Density& en
   return densities;
 }
 
+std::optional<Box> box_of(const std::optional<TextureBox>& box) {
+  if (!box) return std::nullopt;
+  return Box{{box->min.x(), box->min.y()}, {box->max.x(), box->max.y()}};
+}
+
 SceneView scene_view(const Editor& editor, int x, int y) {
   const Canvas& canvas = editor.canvas();
   const auto& selection = editor.selection().ids();
@@ -49,9 +55,9 @@ std::array<int, 2> size_of_picture(const Editor& editor, const PictureOptions& o
       std::array{editor.canvas().width * options.factor, editor.canvas().height * options.factor});
 }
 
-Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureOptions& options) {
-  if (!editor.shown()) throw Error("There is no mesh to make a picture of: open one first.");
-  SceneView view = scene_view(editor, 0, 0);
+PictureSetting picture_setting(const Editor& editor, const PictureOptions& options) {
+  PictureSetting setting{scene_view(editor, 0, 0), editor.view().shown_options()};
+  auto& [view, style] = setting;
   const auto [width, height] = size_of_picture(editor, options);
   const double factor = std::min(static_cast<double>(width) / view.viewport.width,
                                  static_cast<double>(height) / view.viewport.height);
@@ -60,15 +66,36 @@ Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureO
   view.camera.pixels_per_unit *= factor;
   view.selected.clear();
   view.hovered.reset();
-  ViewOptions style = editor.view().shown_options();
   style.layers = options.layers;
   view.energy_densities = energy_densities(*editor.shown(), *editor.document().energy, style);
   style.ui_scale *= factor;
   if (options.is_transparent) style.background = Background::transparent;
+  return setting;
+}
+
+Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureOptions& options) {
+  if (!editor.shown()) throw Error("There is no mesh to make a picture of: open one first.");
+  const auto [view, style] = picture_setting(editor, options);
   RenderTarget target(view.viewport.width, view.viewport.height);
   target.bind();
   renderer.draw(*editor.shown(), view, style);
   return target.read();
+}
+
+FigureOptions figure_of_canvas(const Editor& editor, const PictureOptions& options) {
+  PictureSetting setting = picture_setting(editor, options);
+  FigureOptions figure;
+  figure.width = setting.view.viewport.width;
+  figure.height = setting.view.viewport.height;
+  figure.view = setting.style.pose == Pose::rest ? FigureView::rest : FigureView::deformed;
+  figure.style = setting.style;
+  figure.camera = setting.view.camera;
+  figure.energy_densities = std::move(setting.view.energy_densities);
+  figure.has_legend = false;
+  figure.texture = editor.files().texture_image().image();
+  figure.parts = editor.document().parts;
+  figure.texture_place = box_of(editor.document().texture_box);
+  return figure;
 }
 
 ImageTexts picture_texts(const Editor& editor) {

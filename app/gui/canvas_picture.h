@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/editor.h"
+#include "render/figure_options.h"
 #include "render/image.h"
 #include "render/scene_renderer.h"
 
@@ -27,10 +28,21 @@ Layers exported_layers(const Editor& editor);
 /// Width and height of a picture of the canvas. [pixels]
 std::array<int, 2> size_of_picture(const Editor& editor, const PictureOptions& options);
 
+/// What a picture shows, from where and how large; one factor for all that is drawn.
+struct PictureSetting {
+  SceneView view;
+  ViewOptions style;
+};
+/// Precondition: there is a mesh on screen.
+PictureSetting picture_setting(const Editor& editor, const PictureOptions& options);
+
 /// The canvas as the user sees it, drawn anew at the size that is asked for. Needs the renderer's
 /// context; leaves framebuffer 0's owner to bind its framebuffer again. Throws Error when the
 /// graphics card refuses a picture of this size.
 Image draw_picture(const Editor& editor, SceneRenderer& renderer, const PictureOptions& options);
+
+/// The same view as a figure of lines and areas.
+FigureOptions figure_of_canvas(const Editor& editor, const PictureOptions& options);
 
 /// What a picture says about itself in its text chunks: scene, method, iteration, energy.
 ImageTexts picture_texts(const Editor& editor);
@@ -42,6 +54,9 @@ std::filesystem::path numbered_picture(const std::filesystem::path& folder,
 /// ψ(J) of every triangle; empty unless the heat map shows it.
 std::vector<double> energy_densities(const Snapshot& snapshot, const Density& energy,
                                      const ViewOptions& options);
+
+/// Where a texture lies, as the renderer wants it.
+std::optional<Box> box_of(const std::optional<TextureBox>& box);
 
 /// From where the editor looks, in a viewport of the canvas's size at (x, y) from the lower left.
 SceneView scene_view(const Editor& editor, int x, int y);

@@ -24,9 +24,13 @@ struct Format {
 };
 
 constexpr int kMostPixelsOfASide = 16384;
+constexpr int kLastPicture = 3;  // of the formats; the others are meshes
 
-constexpr std::array<Format, 4> kFormats{{
+constexpr std::array<Format, 7> kFormats{{
     {"PNG picture", ".png", "The canvas as you see it. Scene, iteration and energy go along."},
+    {"SVG figure", ".svg", "The canvas as lines and areas, sharp at any size, for the web."},
+    {"PDF figure", ".pdf", "The canvas as lines and areas, sharp at any size, for papers."},
+    {"PNG sequence", "", "Every iteration as a picture, 000001.png and on, in a new folder."},
     {"OBJ mesh", ".obj", "The deformed mesh; the rest positions are its texture coordinates."},
     {"OFF mesh", ".off", "The deformed mesh, positions and triangles alone."},
     {"PLY mesh", ".ply", "The deformed mesh, positions and triangles alone."},
@@ -66,7 +70,7 @@ void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
 void ExportDialog::draw_options(const Editor& editor, const Look& look) {
   const auto format = static_cast<std::size_t>(format_);
   for (std::size_t i = 0; i < kFormats.size(); ++i) {
-    if (i > 0) ImGui::SameLine();
+    if (i > 0 && i != kLastPicture + 1) ImGui::SameLine();
     ImGui::RadioButton(kFormats[i].title, &format_, static_cast<int>(i));
   }
   ImGui::Spacing();
@@ -74,7 +78,7 @@ void ExportDialog::draw_options(const Editor& editor, const Look& look) {
   dim_text(kFormats[format].words, look);
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
-  if (format_ == 0) draw_picture_options(editor, look);
+  if (format_ <= kLastPicture) draw_picture_options(editor, look);
 }
 
 void ExportDialog::draw_picture_options(const Editor& editor, const Look& look) {
@@ -118,12 +122,15 @@ void ExportDialog::ask_for_file(Editor& editor, UiState& state) {
   FileRequest request;
   const std::string extension(kFormats[static_cast<std::size_t>(format_)].extension);
   request.purpose = FileRequest::Purpose::save;
-  request.title = "Export";
-  request.extensions = {extension};
-  request.start = starting_folder(editor, state) / (suggested_name(editor) + extension);
-  request.chosen = [this, &state](const std::filesystem::path& path) {
+  request.title = extension.empty() ? "Export: name of a new folder" : "Export";
+  const bool is_folder = extension.empty();
+  if (!is_folder) request.extensions = {extension};
+  request.start = starting_folder(editor, state) /
+                  (suggested_name(editor) + (is_folder ? "-iterations" : extension));
+  request.chosen = [this, &state, is_folder](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
     job_.path = path;
+    job_.is_sequence = is_folder;
     last_ = ordered_ = job_;
     ordered_->is_chosen_now = true;
   };

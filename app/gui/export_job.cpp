@@ -3,6 +3,8 @@
 
 #include <glad/gl.h>
 
+#include "app/export/vector_figure.h"
+#include "app/gui/background_exports.h"
 #include "app/gui/file_browser.h"
 #include "core/error.h"
 
@@ -15,14 +17,20 @@ void export_mesh(const Editor& editor, const std::filesystem::path& path) {
 }
 
 void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer,
-               FileBrowser& browser) {
+               BackgroundExports& exports, FileBrowser& browser) {
   try {
+    if (job.is_sequence) return exports.sequence.start(job.path, editor, job.picture);
+    if (vector_format_of(job.path)) return exports.figure.start(job.path, editor, job.picture);
     if (job.is_picture()) {
       GLint bound = 0;
       glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
       const Image picture = draw_picture(editor, renderer, job.picture);
       glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
       save_png(job.path, picture, picture_texts(editor));
+    } else if (!is_mesh_file(job.path)) {
+      throw Error(
+          job.path.string() +
+          ": end the name with .png, .svg, .pdf, .obj, .off or .ply, which says the format");
     } else {
       export_mesh(editor, job.path);
     }

@@ -11,10 +11,13 @@ namespace foldless {
 
 class FileBrowser;
 
-/// What the user chose to export: a picture, or the mesh.
+struct BackgroundExports;
+
+/// What the user chose to export: a picture, a figure, or the mesh.
 struct ExportJob {
   std::filesystem::path path;  ///< its extension says which format
-  PictureOptions picture;      ///< for `.png`
+  PictureOptions picture;      ///< of pictures, figures and sequences
+  bool is_sequence = false;    ///< the path is that of a new folder for pictures
   bool is_chosen_now = false;  ///< in the file browser, which asks again when writing fails
 
   bool is_picture() const { return path.extension() == ".png"; }
@@ -24,8 +27,9 @@ struct ExportJob {
 /// cannot be written.
 void export_mesh(const Editor& editor, const std::filesystem::path& path);
 
-/// Writes what a job asks for and says so. Where that fails, the file browser asks again if it was
-/// there that the file was chosen.
-void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer, FileBrowser& browser);
+/// Writes what a job asks for and says so; figures and sequences when they are done, by `exports`.
+/// Where that fails, the file browser asks again if it was there that the file was chosen.
+void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer,
+               BackgroundExports& exports, FileBrowser& browser);
 
 }  // namespace foldless

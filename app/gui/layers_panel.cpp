@@ -14,7 +14,9 @@ void draw_layer_row(std::size_t index, Layers& layers, const Look& look) {
   const LayerRow& row = kLayerRows[index];
   ImGui::Checkbox(row.title.data(), &(layers.*row.shown));
   const std::string key = std::to_string(index + 1);
-  tooltip("Key " + key + " switches this layer. Hold H to hide all that lies over the mesh.", look);
+  std::string tip = "Key ";
+  tip.append(key).append(" switches this layer. Hold H to hide all that lies over the mesh.");
+  tooltip(tip, look);
   const float width = ImGui::CalcTextSize(key.c_str()).x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width - look.px(2));
   ImGui::AlignTextToFramePadding();

@@ -79,7 +79,7 @@ void draw_column_titles(const Look& look) {
 
 void draw_exports(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
-  if (ImGui::Button("Table CSV…")) editor.run_command("file.export_table");
+  if (ImGui::Button("Table…")) editor.run_command("file.export_table");
   tooltip("Writes this table to a file, as the paper's Table 1.", look);
   ImGui::SameLine();
   if (ImGui::Button("CSV…")) editor.run_command("file.export_csv");

@@ -19,8 +19,8 @@ constexpr int kMostFrames = 100;         ///< until the interface has nothing to
 constexpr std::chrono::seconds kPatience{120};
 
 /// Something goes on that will change the picture by itself, and then end.
-bool is_busy(const Editor& editor) {
-  return editor.playback().is_solving() || editor.race().is_playing() ||
+bool is_busy(const Editor& editor, const Ui& ui) {
+  return ui.is_exporting() || editor.playback().is_solving() || editor.race().is_playing() ||
          editor.files().texture_image().is_reading() || editor.files().image_import().is_busy();
 }
 
@@ -55,6 +55,9 @@ class Player {
     }
   }
 
+  void set_theme(Theme theme) { ui_.settings().theme = theme; }
+  Image picture() { return offscreen_.read(); }
+
   int written() const { return written_; }
   bool has_ended() const { return ui_.wants_to_quit(); }
 
@@ -75,14 +78,14 @@ class Player {
     const auto give_up = std::chrono::steady_clock::now() + kPatience;
     do {
       settle();
-      while (is_busy(editor_)) {
+      while (is_busy(editor_, ui_)) {
         if (std::chrono::steady_clock::now() > give_up)
           throw Error("the editor did not come to rest");
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         frame();
       }
       settle();
-    } while (is_busy(editor_));
+    } while (is_busy(editor_, ui_));
   }
 
   void settle() {
@@ -100,6 +103,18 @@ class Player {
 };
 
 }  // namespace
+
+Image picture_of_editor(const std::filesystem::path& file, Extent size,
+                        std::optional<Theme> theme) {
+  constexpr int kLeast = 64, kMost = 16384;  // pixels a side
+  if (std::min(size.width, size.height) < kLeast || std::max(size.width, size.height) > kMost)
+    throw Error("a window of " + std::to_string(size.width) + " × " + std::to_string(size.height) +
+                " pixels cannot be drawn; a side has 64 to 16384");
+  Player player({size, size, 1}, {});
+  if (theme) player.set_theme(*theme);
+  player.open({file, false});
+  return player.picture();
+}
 
 int replay_session(const ReplayOptions& options) {
   SessionFile session = read_session(options.session);

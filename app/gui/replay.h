@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "app/gui/extent.h"
+#include "render/image.h"
+#include "render/view_options.h"
 
 namespace foldless {
 
@@ -14,6 +16,11 @@ struct ReplayOptions {
   std::filesystem::path shots;      ///< folder for the pictures, made if need be
   std::optional<Extent> size = {};  ///< of the window, in place of the session's [pixels]
 };
+
+/// The whole editor as a new user sees it when the file has been opened and all has come to rest:
+/// a picture of a window of `size` [pixels]. Throws Error where the file cannot be opened, or a
+/// window cannot have that size.
+Image picture_of_editor(const std::filesystem::path& file, Extent size, std::optional<Theme> theme);
 
 /// Plays a session in the whole editor off screen, with the settings that a new user has, and
 /// writes a picture of the window at every `shot`. Every event waits until the editor has come to

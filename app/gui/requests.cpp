@@ -104,20 +104,22 @@ void order_snapshot(Editor& editor, UiState& state, const std::filesystem::path&
 /// What a text file will hold, made when the user has chosen where.
 struct TextExport {
   std::string title;
-  std::string ending;  ///< of the suggested name
-  std::function<std::string()> text;
+  std::string ending;                   ///< of the suggested name
+  std::vector<std::string> extensions;  ///< that the text can have
+  /// For a file of that name. Throws Error where that cannot be.
+  std::function<std::string(const std::filesystem::path&)> text;
 };
 
 void ask_where_to_export(const TextExport& job, Editor& editor, UiState& state) {
   FileRequest request;
   request.purpose = FileRequest::Purpose::save;
   request.title = job.title;
-  request.extensions = {std::filesystem::path(job.ending).extension().string()};
+  request.extensions = job.extensions;
   request.start = starting_folder(editor, state) / (suggested_name(editor) + job.ending);
   request.chosen = [&editor, &state, text = job.text](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
     try {
-      write_file_atomically(path, text());
+      write_file_atomically(path, text(path));
       editor.messages().toast(ToastKind::notice, "Wrote " + path.string());
     } catch (const Error& error) {
       state.browser.ask_again(error.what());
@@ -127,25 +129,33 @@ void ask_where_to_export(const TextExport& job, Editor& editor, UiState& state) 
 }
 
 void export_csv(Editor& editor, UiState& state) {
-  ask_where_to_export(
-      {"Export the iterations", "-iterations.csv", [&editor] { return convergence_csv(editor); }},
-      editor, state);
+  ask_where_to_export({"Export the iterations",
+                       "-iterations.csv",
+                       {".csv"},
+                       [&editor](const auto&) { return convergence_csv(editor); }},
+                      editor, state);
 }
 
 /// A race shows energy, gradient, residual and distortion.
 void export_svg(Editor& editor, UiState& state) {
   const auto shown =
       editor.race().is_open() ? std::array<bool, 8>{true, true, true, true} : state.shown_series;
-  ask_where_to_export({"Export the convergence plots", "-convergence.svg",
-                       [&editor, shown] { return convergence_svg(editor, shown); }},
+  ask_where_to_export({"Export the convergence plots",
+                       "-convergence.svg",
+                       {".svg"},
+                       [&editor, shown](const auto&) { return convergence_svg(editor, shown); }},
                       editor, state);
 }
 
 /// The race may be closed while the user chooses: the table is that of now.
 void export_table(Editor& editor, UiState& state) {
-  ask_where_to_export({"Export the race's table", "-race.csv",
-                       [text = race_table_csv(editor.race())] { return text; }},
-                      editor, state);
+  const auto table = [csv = race_table_csv(editor.race()),
+                      latex = race_table_latex(editor.race())](const std::filesystem::path& file) {
+    return is_latex_table(file) ? latex : csv;
+  };
+  ask_where_to_export(
+      {"Export the race's table: .csv or .tex", "-race.csv", {".csv", ".tex"}, table}, editor,
+      state);
 }
 
 }  // namespace

@@ -44,11 +44,6 @@ std::optional<HeatRange> common_range(const Race& race, const Density& energy,
   return common;
 }
 
-std::optional<Box> box_of(const std::optional<TextureBox>& box) {
-  if (!box) return std::nullopt;
-  return Box{{box->min.x(), box->min.y()}, {box->max.x(), box->max.y()}};
-}
-
 Box box_of(const Points& points) {
   const Vec2 min = points.rowwise().minCoeff();
   const Vec2 max = points.rowwise().maxCoeff();

@@ -14,21 +14,23 @@ struct Tool {
   Icon icon;
 };
 
-constexpr std::array kHands{Tool{"handle.move", Icon::pointer},
-                            Tool{"stiffness.paint", Icon::brush}};
-constexpr std::array kHandles{
+constexpr std::array kHandTools{Tool{"handle.move", Icon::pointer},
+                                Tool{"stiffness.paint", Icon::brush}};
+constexpr std::array kHandleTools{
     Tool{"handle.turn", Icon::turn},     Tool{"handle.scale", Icon::scale},
     Tool{"handle.pin", Icon::pin},       Tool{"handle.forward", Icon::forward},
     Tool{"handle.back", Icon::backward}, Tool{"edit.delete", Icon::remove}};
-constexpr std::array kSteps{Tool{"edit.undo", Icon::undo}, Tool{"edit.redo", Icon::redo},
-                            Tool{"edit.reset_pose", Icon::reset_pose}};
-constexpr std::array kViews{Tool{"view.fit", Icon::fit}, Tool{"view.mesh", Icon::mesh},
-                            Tool{"view.remesh_diff", Icon::compare},
-                            Tool{"race.toggle", Icon::race}, Tool{"file.export", Icon::picture}};
+constexpr std::array kStepTools{Tool{"edit.undo", Icon::undo}, Tool{"edit.redo", Icon::redo},
+                                Tool{"edit.reset_pose", Icon::reset_pose}};
+constexpr std::array kViewTools{Tool{"view.fit", Icon::fit}, Tool{"view.mesh", Icon::mesh},
+                                Tool{"view.remesh_diff", Icon::compare},
+                                Tool{"race.toggle", Icon::race},
+                                Tool{"file.export", Icon::picture}};
 
 /// In a low window the last groups are left out; the menus have all of them.
 void draw_groups(Editor& editor, const Look& look) {
-  const std::array<std::span<const Tool>, 4> groups{kHands, kHandles, kSteps, kViews};
+  const std::array<std::span<const Tool>, 4> groups{kHandTools, kHandleTools, kStepTools,
+                                                    kViewTools};
   const float gap = look.px(9);
   for (const auto& group : groups) {
     const float height = static_cast<float>(group.size()) *

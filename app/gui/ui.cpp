@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/ui.h"
 
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,9 +8,9 @@
 #include <utility>
 
 #include "app/gui/appearance.h"
+#include "app/gui/background_exports.h"
 #include "app/gui/canvas_input.h"
 #include "app/gui/canvas_overlay.h"
-#include "app/gui/canvas_picture.h"
 #include "app/gui/dialog_keys.h"
 #include "app/gui/export_job.h"
 #include "app/gui/input_feed.h"
@@ -25,7 +24,6 @@
 #include "app/gui/thumbnails.h"
 #include "app/gui/tooltips.h"
 #include "app/gui/ui_state.h"
-#include "core/error.h"
 #include "render/ui_renderer.h"
 
 namespace foldless {
@@ -35,7 +33,7 @@ namespace {
 constexpr int kSettlingFrames = 3;
 constexpr double kTextCursorSeconds = 0.4;
 constexpr double kSettingsRestSeconds = 0.5;
-constexpr double kThumbnailSeconds = 0.03;  ///< between looks at what was read
+constexpr double kLookSeconds = 0.03;  ///< between looks at files read and written
 
 /// What the editor shows without being asked to by an event.
 struct News {
@@ -67,6 +65,7 @@ struct Ui::Parts {
   ImGuiOwner imgui;
   UiRenderer ui_renderer;
   Scenes scenes;
+  BackgroundExports exports;
   Thumbnails thumbnails;
   bool has_thumbnails_to_make = false;
   InputFeed feed;
@@ -196,7 +195,8 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
                   preview.has_value(), preview ? preview->words : ""};
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order())
-    carry_out(*job, editor, p.scenes.canvas_renderer(), p.state.browser);
+    carry_out(*job, editor, p.scenes.canvas_renderer(), p.exports, p.state.browser);
+  update_exports(p.exports, editor, spec.time);
   p.scenes.draw(editor, p.layout, spec.framebuffer);
   p.state.heat_range = p.scenes.heat_range();
   draw_panels(editor);
@@ -267,6 +267,7 @@ void Ui::draw_panels(Editor& editor) {
   draw_timeline_panel(editor, context);
   draw_status_bar(editor, context);
   draw_toasts(editor, context);
+  draw_progress(p.exports, p.layout.canvas, p.appearance.look());
   draw_dialogs(editor, context);
 }
 
@@ -276,10 +277,13 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
   if (const auto wake = editor.next_wake()) next = std::max(0.0, *wake - now);
   for (const auto& due : {parts_->saves_after, parts_->tooltips.due()})
     if (due) next = std::max(0.0, std::min(next.value_or(*due - now), *due - now));
-  if (parts_->has_thumbnails_to_make) next = std::min(next.value_or(1), kThumbnailSeconds);
+  if (parts_->has_thumbnails_to_make || is_exporting())
+    next = std::min(next.value_or(1), kLookSeconds);
   if (ImGui::GetIO().WantTextInput) next = std::min(next.value_or(1), kTextCursorSeconds);
   return next;
 }
+
+bool Ui::is_exporting() const { return parts_->exports.is_busy(); }
 
 const Layout& Ui::layout() const { return parts_->layout; }
 

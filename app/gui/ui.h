@@ -50,6 +50,9 @@ class Ui {
   /// Seconds until another frame is due though nothing happens; nothing: only when something does.
   std::optional<double> next_frame(const Editor& editor, double now) const;
 
+  /// A file is being written while the user goes on.
+  bool is_exporting() const;
+
   /// Where things were in the last frame.
   const Layout& layout() const;
   CursorShape cursor() const;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "render/figure_panes.h"
 #include "render/legend.h"
 #include "render/theme.h"
 #include "tests/support/pixels.h"

@@ -108,7 +108,9 @@ TEST(BadInput, RenderRefusesAndLeavesNoPicture) {
   write_scene(scene, grid_problem(3, Vec2(2, 2)));
   const std::string picture = folder / "picture.png";
   EXPECT_TRUE(says(refusal({"render", folder / "none.json", "-o", picture}), "none.json"));
-  EXPECT_TRUE(says(refusal({"render", scene, "-o", folder / "picture.bmp"}), ".png"));
+  EXPECT_TRUE(says(refusal({"render", scene, "-o", folder / "picture.bmp"}), ".png, .svg or .pdf"));
+  EXPECT_TRUE(says(refusal({"render", scene, "-o", folder / "ui.svg", "--ui"}), ".png"));
+  EXPECT_TRUE(says(refusal({"render", scene, "-o", picture, "--ui", "--view", "rest"}), "--view"));
   EXPECT_TRUE(says(refusal({"render", scene, "-o", picture, "--layers", "glow"}), "glow"));
   EXPECT_TRUE(says(refusal({"render", scene, "-o", picture, "--size", "big"}), "big"));
   EXPECT_TRUE(says(refusal({"render", scene, "-o", picture, "--view", "top"}), "top"));

@@ -27,7 +27,8 @@ TEST(Bench, RunsMethodsOverRandomScenesAndWritesTables) {
   EXPECT_EQ(ended.err, "");
   EXPECT_NE(ended.out.find("H ratio"), std::string::npos) << ended.out;
   EXPECT_EQ(names_in(folder / "out"),
-            (std::vector<std::string>{"results.csv", "results.json", "summary.md"}));
+            (std::vector<std::string>{"results.csv", "results.json", "runs.tex", "summary.md",
+                                      "summary.tex"}));
   const json rows = json::parse(read_text(folder / "out/results.json"));
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[0]["method"], "paper-noflip");
@@ -68,7 +69,8 @@ TEST(Bench, FollowsDragsFrameByFrame) {
   EXPECT_EQ(ended.status, 0);
   EXPECT_NE(ended.out.find("first ms"), std::string::npos) << ended.out;
   EXPECT_EQ(names_in(folder / "out"),
-            (std::vector<std::string>{"frames.csv", "results.csv", "results.json", "summary.md"}));
+            (std::vector<std::string>{"frames.csv", "results.csv", "results.json", "summary.md",
+                                      "summary.tex"}));
   const json rows = json::parse(read_text(folder / "out/results.json"));
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0]["method"], "foldless");
@@ -93,7 +95,7 @@ TEST(Bench, ReproducesAPartOfThePaper) {
   EXPECT_EQ(names_in(folder / "out"),
             (std::vector<std::string>{"figure13_coarse_disk_energy.svg",
                                       "figure13_coarse_disk_gradient.svg", "results.csv",
-                                      "results.json", "table1.csv", "table1.md"}));
+                                      "results.json", "table1.csv", "table1.md", "table1.tex"}));
 }
 
 void interrupt_bench_with(int signal) {
@@ -105,7 +107,8 @@ void interrupt_bench_with(int signal) {
   const Ended ended = command.wait();
   EXPECT_EQ(ended.status, 130);
   EXPECT_EQ(names_in(folder / "out"),
-            (std::vector<std::string>{"results.csv", "results.json", "summary.md"}));
+            (std::vector<std::string>{"results.csv", "results.json", "runs.tex", "summary.md",
+                                      "summary.tex"}));
 }
 
 TEST(Bench, InterruptedOrTerminatedItWritesWhatIsThere) {

@@ -57,6 +57,23 @@ TEST(ReplayCall, GetsTheSessionTheFolderAndTheSizeAndTellsTheNumberOfPictures) {
   EXPECT_EQ(Command({"replay", "s.jsonl"}, {{}, replay}).wait().status, 2);
 }
 
+TEST(RenderCall, OfTheEditorGetsTheFileTheSizeAndTheTheme) {
+  const TemporaryFolder folder;
+  const auto picture = [](const std::filesystem::path& file,
+                          const std::optional<std::array<int, 2>>& size,
+                          std::optional<Theme> theme) {
+    const bool is_right =
+        file == "a.json" && size == std::array{800, 600} && theme == Theme::contrast;
+    return Image(is_right ? 3 : 1, 2);
+  };
+  const Ended ended = Command({"render", "a.json", "-o", folder / "ui.png", "--ui", "--size",
+                               "800x600", "--theme", "contrast"},
+                              {{}, {}, picture})
+                          .wait();
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(load_image(folder / "ui.png").width, 3);
+}
+
 TEST(EditorCall, SaysInALineWhyItDoesNotOpen) {
   const auto open_editor = [](const std::optional<std::filesystem::path>&,
                               const std::filesystem::path&) -> int {

@@ -169,21 +169,30 @@ TEST_F(Compare, LanesAreMovedAndZoomedTogether) {
   EXPECT_EQ(editor().document().handles.size(), 3U) << "no click reaches the document";
 }
 
-TEST_F(Compare, WritesItsTable) {
+TEST_F(Compare, WritesItsTableAsCsvOrLatex) {
   const TemporaryFolder folder;
-  const std::filesystem::path file = folder / "t.csv";
   headless_.key(Key::m);
   ASSERT_TRUE(headless_.wait_until([this] { return editor().race().is_finished(); }));
   editor().run_command("file.export_table");
-  headless_.settle();
-  headless_.key(Key::a, kControl);
-  // All at once: a frame for every letter takes its time.
-  for (const char c : file.string())
-    headless_.ui().receive(CharacterTyped{static_cast<char32_t>(c)});
-  headless_.settle();
-  headless_.key(Key::enter);
-  headless_.settle();
-  EXPECT_TRUE(read_file(file).starts_with("lane,mesh,"));
+  const auto save_as = [&](const std::filesystem::path& file) {
+    headless_.settle();
+    headless_.key(Key::a, kControl);
+    // All at once: a frame for every letter takes its time.
+    for (const char c : file.string())
+      headless_.ui().receive(CharacterTyped{static_cast<char32_t>(c)});
+    headless_.settle();
+    headless_.key(Key::enter);
+    headless_.settle();
+  };
+  save_as(folder / "t.txt");
+  EXPECT_FALSE(std::filesystem::exists(folder / "t.txt")) << "it asks again";
+  save_as(folder / "t.csv");
+  EXPECT_TRUE(read_file(folder / "t.csv").starts_with("lane,mesh,"));
+  editor().run_command("file.export_table");
+  save_as(folder / "t.tex");
+  const std::string latex = read_file(folder / "t.tex");
+  EXPECT_NE(latex.find("\\toprule\nlane & method"), std::string::npos) << latex;
+  EXPECT_NE(latex.find("paper-noflip"), std::string::npos);
 }
 
 TEST_F(Compare, MarksTheEdgeInTheWayUntilItIsFlipped) {

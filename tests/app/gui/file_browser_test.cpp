@@ -9,7 +9,9 @@
 #include "core/files/atomic_file.h"
 #include "core/files/mesh_io.h"
 #include "core/mesh/generate.h"
+#include "render/image_difference.h"
 #include "tests/app/gui/headless_editor.h"
+#include "tests/support/rasterised.h"
 #include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
@@ -175,7 +177,7 @@ TEST_F(FileBrowserTest, AnExportThatFailsAsksAgain) {
 
 TEST_F(FileBrowserTest, APictureIsExportedInAnySize) {
   headless_.key(Key::e, kCtrl);
-  const Vec2 width{399, 268}, height{481, 268};
+  const Vec2 width{399, 294}, height{481, 294};
   for (const auto& [field, pixels] : {std::pair{width, "300"}, std::pair{height, "120"}}) {
     headless_.click(field);
     headless_.key(Key::a, kCtrl);
@@ -189,6 +191,38 @@ TEST_F(FileBrowserTest, APictureIsExportedInAnySize) {
   const Image picture = load_image(folder_ / "wide.png");
   EXPECT_EQ(picture.width, 300);
   EXPECT_EQ(picture.height, 120);
+}
+
+TEST_F(FileBrowserTest, TheCanvasIsExportedAsAFigureInTheBackground) {
+  const Image canvas = headless_.canvas_picture();
+  for (const auto& [format, name] :
+       {std::pair{Vec2{392, 188}, "a.svg"}, {Vec2{488, 188}, "b.pdf"}}) {
+    headless_.key(Key::e, kCtrl);
+    headless_.click(format);
+    headless_.key(Key::enter);
+    ASSERT_TRUE(is_open());
+    retype(folder_ / name);
+    headless_.key(Key::enter);
+    EXPECT_FALSE(is_open());
+    ASSERT_TRUE(headless_.wait_until([&] { return !headless_.ui().is_exporting(); }));
+    ASSERT_TRUE(std::filesystem::exists(folder_ / name));
+  }
+  const auto drawn = rasterised(VectorFormat::svg, read_file(folder_ / "a.svg"));
+  if (!drawn) GTEST_SKIP() << "librsvg2-bin is missing";
+  ASSERT_EQ(drawn->width, canvas.width);
+  EXPECT_LT(difference_of(canvas, *drawn, 64).mean, 1);
+}
+
+TEST_F(FileBrowserTest, AFigureThatCannotBeWrittenIsSaidAndLeavesNothing) {
+  const auto blocker = folder_.write("blocker", "a file, no folder");
+  headless_.key(Key::e, kCtrl);
+  headless_.click({392, 188});
+  headless_.key(Key::enter);
+  retype(blocker / "figure.svg");
+  headless_.key(Key::enter);
+  ASSERT_TRUE(headless_.wait_until([&] { return !headless_.ui().is_exporting(); }));
+  ASSERT_FALSE(editor().messages().log().empty());
+  EXPECT_NE(editor().messages().log().back().text.find("blocker"), std::string::npos);
 }
 
 TEST_F(FileBrowserTest, AnEmptyFolderIsNoReasonNotToSaveThere) {

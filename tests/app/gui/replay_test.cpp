@@ -205,5 +205,20 @@ TEST_F(Sessions, EveryKeyHasANameOfItsOwn) {
   }
 }
 
+TEST_F(Sessions, APictureOfTheEditorIsThatOfASessionOnTheSameFile) {
+  replay(R"({"t": 1, "shot": "first"})");
+  const Image picture = picture_of_editor(folder_ / "scene.json", {900, 600}, {});
+  EXPECT_EQ(picture, shot("first"));
+  EXPECT_GT(differing_pixels(picture,
+                             picture_of_editor(folder_ / "scene.json", {900, 600}, Theme::light)),
+            900 * 600 / 2);
+}
+
+TEST_F(Sessions, APictureOfTheEditorIsRefusedInOneSentence) {
+  EXPECT_THROW(picture_of_editor(folder_ / "none.json", {900, 600}, {}), Error);
+  EXPECT_THROW(picture_of_editor(folder_ / "scene.json", {63, 600}, {}), Error);
+  EXPECT_THROW(picture_of_editor(folder_ / "scene.json", {900, 16385}, {}), Error);
+}
+
 }  // namespace
 }  // namespace foldless::test

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/background_exports.h"
+
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <cmath>
+#include <string>
+
+#include "app/gui/theme.h"
+
+namespace foldless {
+namespace {
+
+constexpr ImGuiWindowFlags kProgress =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
+
+std::string progress_words(const SequenceExport& sequence) {
+  std::string words = std::to_string(sequence.written());
+  words += " of ";
+  words += std::to_string(sequence.count());
+  if (const auto seconds = sequence.seconds_left()) {
+    words += ", ";
+    words += std::to_string(static_cast<long>(std::ceil(*seconds)));
+    words += " s left";
+  }
+  return words;
+}
+
+}  // namespace
+
+void update_exports(BackgroundExports& exports, Editor& editor, double time) {
+  exports.figure.update(editor);
+  if (!exports.sequence.is_busy()) return;
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  exports.sequence.update(editor, time);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+}
+
+void draw_progress(BackgroundExports& exports, const Rectangle& canvas, const Look& look) {
+  SequenceExport& sequence = exports.sequence;
+  if (!sequence.is_busy()) return;
+  ImGui::SetNextWindowPos({canvas.x + look.px(12), canvas.y + canvas.height - look.px(12)},
+                          ImGuiCond_Always, {0, 1});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette->popup);
+  ImGui::Begin("##sequence", nullptr, kProgress);
+  ImGui::TextUnformatted("Writing the sequence");
+  const auto done = static_cast<float>(sequence.written());
+  ImGui::ProgressBar(done / static_cast<float>(sequence.count()), {look.px(200), 0},
+                     progress_words(sequence).c_str());
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel##sequence")) sequence.cancel();
+  ImGui::End();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace foldless
