@@ -79,6 +79,13 @@ TEST_F(LayerFormats, RefuseWhatIsTooLargeBeforeItIsUnpacked) {
   EXPECT_NE(refusal(psd).find("100000000 in all"), std::string::npos);
 }
 
+TEST_F(LayerFormats, RefuseFilesOfAnotherChecksum) {
+  std::string bytes = zip_of({{"stack.xml", ora_xml(canvas_, "")}});
+  bytes[bytes.find("PK\1\2") + 16] ^= 1;
+  EXPECT_NE(refusal(bytes).find("stack.xml in the archive is damaged or locked"),
+            std::string::npos);
+}
+
 TEST_F(LayerFormats, RefuseGroupsNestedTooDeeply) {
   std::string opening, closing;
   for (int i = 0; i < 5000; ++i) {
