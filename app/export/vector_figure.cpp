@@ -69,8 +69,9 @@ class FigureDrawing {
     const MeshView mesh_view{style.pose, figure_pane.camera, pane.size, options_.parts};
     const PlacedMesh mesh = placed_mesh(snapshot_, mesh_view);
     if (style.layers.rest && style.pose != Pose::rest)
-      draw_outline(pane, placed_mesh(snapshot_, {Pose::rest, figure_pane.camera, pane.size, options_.parts}),
-                   rest_outline(style));
+      draw_outline(
+          pane, placed_mesh(snapshot_, {Pose::rest, figure_pane.camera, pane.size, options_.parts}),
+          rest_outline(style));
     const glm::dvec2 extent = mesh.rest_box.max - mesh.rest_box.min;
     const LocalFrame local{mesh.rest_box.min, std::max(extent.x, extent.y)};
     const SceneView view{.viewport = figure_pane.viewport, .camera = figure_pane.camera};

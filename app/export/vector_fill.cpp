@@ -86,8 +86,7 @@ AffineMap image_to_rest(const VectorImage& image) {
                           cairo_image_surface_get_height(image.surface.get()) - 2 * image.border);
   const glm::dvec2 pixel = (image.place.max - image.place.min) / inside;
   return {glm::dmat2(pixel.x, 0, 0, -pixel.y),
-          {image.place.min.x - image.border * pixel.x,
-           image.place.max.y + image.border * pixel.y}};
+          {image.place.min.x - image.border * pixel.x, image.place.max.y + image.border * pixel.y}};
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ void SequenceExport::start(const std::filesystem::path& folder, Editor& editor,
   job.texts.erase("Energy");  // of one iteration
   if (const auto& image = editor.files().texture_image().image())
     job.renderer->set_texture(*image, box_of(editor.document().texture_box));
+  job.renderer->set_parts(editor.document().parts);
   make_new_folder(folder);
   job_ = std::move(job);
   written_ = 0;

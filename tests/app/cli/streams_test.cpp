@@ -42,7 +42,7 @@ TEST(Streams, EveryCallThatPrintsTellsWhenThatIsLost) {
   expect_told_that_output_is_lost({"check", out + "/rest.obj", out + "/deformed.obj"});
   expect_told_that_output_is_lost({"bench", scene, "--method", "lim", "-o", folder / "table"});
   EXPECT_NO_THROW(read_mesh(out + "/deformed.obj")) << "files are written all the same";
-  EXPECT_EQ(test::names_in(folder / "table").size(), 3U);
+  EXPECT_EQ(test::names_in(folder / "table").size(), 5U);
 }
 
 TEST(Streams, WhatPrintsNothingNeedsNone) {

@@ -211,9 +211,9 @@ class WindowReader {
   std::size_t words_before_ = 0;  ///< of earlier commands
 };
 
+/// Popups, dialogs, messages: all but the panels, which never come to the front.
 bool covers_others(const ImGuiWindow& window) {
-  return (window.Flags &
-          (ImGuiWindowFlags_Popup | ImGuiWindowFlags_Modal | ImGuiWindowFlags_Tooltip)) != 0;
+  return (window.Flags & ImGuiWindowFlags_NoBringToFrontOnFocus) == 0;
 }
 
 /// Texts that are seen together: those of one popup or dialog, or of everything else.
