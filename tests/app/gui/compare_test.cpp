@@ -158,6 +158,8 @@ TEST_F(Compare, LanesAreMovedAndZoomedTogether) {
   headless_.key(Key::m);
   const auto layout =
       race_layout_for(headless_.ui().layout().canvas, editor().race().lanes().size(), 1);
+  // Only then is the view at rest: the end of a race is fitted too.
+  ASSERT_TRUE(headless_.wait_until([this] { return editor().race().is_finished(); }));
   const Camera before = editor().race().canvas().camera;
   const Vec2 from = middle(layout.lanes.back().view);
   headless_.press(from);
