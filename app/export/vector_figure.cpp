@@ -111,8 +111,12 @@ class FigureDrawing {
     for (const TexturePiece& piece : *options_.texture) {
       const Box within{place.min + piece.within.min * size, place.min + piece.within.max * size};
       const bool is_seen = piece.levels && !piece.levels->empty();
-      images_.push_back(is_seen ? vector_image(piece.levels->front(), within, rest_box)
-                                : VectorImage{});
+      if (!is_seen)
+        images_.emplace_back();
+      else if (piece.within == Box{})
+        images_.push_back(vector_image(piece.levels->front(), within, rest_box));
+      else
+        images_.push_back(vector_piece(piece.levels->front(), within));
     }
   }
 

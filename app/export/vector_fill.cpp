@@ -65,12 +65,16 @@ bool is_opaque(const Image& image) {
   return true;
 }
 
-/// The pixels of an image with its outermost ones repeated over a border.
-void copy_pixels(const Image& image, int border, cairo_surface_t* surface) {
+/// What lies beyond an image.
+enum class ImageBorder { repeated, clear };
+
+/// The pixels of an image, with its outermost ones repeated over a border where that is not clear.
+void copy_pixels(const Image& image, int border, ImageBorder kind, cairo_surface_t* surface) {
   const int stride = cairo_image_surface_get_stride(surface);
   unsigned char* rows = cairo_image_surface_get_data(surface);
-  for (int y = 0; y < image.height + 2 * border; ++y)
-    for (int x = 0; x < image.width + 2 * border; ++x) {
+  const int first = kind == ImageBorder::clear ? border : 0;
+  for (int y = first; y < image.height + 2 * border - first; ++y)
+    for (int x = first; x < image.width + 2 * border - first; ++x) {
       const std::uint8_t* from = image.at(std::clamp(x - border, 0, image.width - 1),
                                           std::clamp(y - border, 0, image.height - 1));
       const std::uint32_t pixel = std::uint32_t{from[3]} << 24 | std::uint32_t{from[0]} << 16 |
@@ -89,6 +93,24 @@ AffineMap image_to_rest(const VectorImage& image) {
           {image.place.min.x - image.border * pixel.x, image.place.max.y + image.border * pixel.y}};
 }
 
+VectorImage with_border(const Image& image, const Box& place, int border, ImageBorder kind) {
+  VectorImage result;
+  result.border = border;
+  result.place = place;
+  const bool has_clear_pixels = kind == ImageBorder::clear || !is_opaque(image);
+  const cairo_format_t format = has_clear_pixels ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24;
+  result.surface.reset(
+      cairo_image_surface_create(format, image.width + 2 * border, image.height + 2 * border));
+  if (cairo_surface_status(result.surface.get()) != CAIRO_STATUS_SUCCESS) return result;
+  copy_pixels(image, border, kind, result.surface.get());
+  // cairo looks through the pixels once a triangle until one is neither opaque nor clear. A faint
+  // one in the corner, which the border keeps out of sight, makes that short.
+  if (format == CAIRO_FORMAT_ARGB32)
+    std::fill_n(cairo_image_surface_get_data(result.surface.get()), 4, std::uint8_t{1});
+  cairo_surface_mark_dirty(result.surface.get());
+  return result;
+}
+
 }  // namespace
 
 VectorImage vector_image(const Image& image, const Box& place, const Box& rest_box) {
@@ -97,21 +119,12 @@ VectorImage vector_image(const Image& image, const Box& place, const Box& rest_b
   const glm::dvec2 pixel = (place.max - place.min) / size;
   const glm::dvec2 out = glm::max(place.min - rest_box.min, rest_box.max - place.max) / pixel;
   const double most = std::max(std::max(out.x, out.y), 0.0);
-  VectorImage result;
-  result.border =
-      static_cast<int>(std::ceil(std::isfinite(most) ? std::min(most, kWidest) : 0)) + 1;
-  result.place = place;
-  const cairo_format_t format = is_opaque(image) ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32;
-  result.surface.reset(cairo_image_surface_create(format, image.width + 2 * result.border,
-                                                  image.height + 2 * result.border));
-  if (cairo_surface_status(result.surface.get()) != CAIRO_STATUS_SUCCESS) return result;
-  copy_pixels(image, result.border, result.surface.get());
-  // cairo looks through the pixels once a triangle until one is neither opaque nor clear. A faint
-  // one in the corner, which the border keeps out of sight, makes that short.
-  if (format == CAIRO_FORMAT_ARGB32)
-    std::fill_n(cairo_image_surface_get_data(result.surface.get()), 4, std::uint8_t{1});
-  cairo_surface_mark_dirty(result.surface.get());
-  return result;
+  const double border = std::ceil(std::isfinite(most) ? std::min(most, kWidest) : 0) + 1;
+  return with_border(image, place, static_cast<int>(border), ImageBorder::repeated);
+}
+
+VectorImage vector_piece(const Image& image, const Box& place) {
+  return with_border(image, place, 1, ImageBorder::clear);
 }
 
 void fill_with_board(const VectorPane& pane, const PlacedMesh& mesh, std::size_t sheet,

@@ -29,6 +29,9 @@ struct VectorImage {
 /// `image` premultiplied. Its border reaches as far as the mesh reaches out of `place`, but for a
 /// mesh far out of it.
 VectorImage vector_image(const Image& image, const Box& place, const Box& rest_box);
+/// The same where nothing lies beyond the image, as round a layer that was cut down to what is
+/// seen.
+VectorImage vector_piece(const Image& image, const Box& place);
 
 // Each fills one sheet, without seams between triangles or between sheets.
 

@@ -98,6 +98,34 @@ TEST(VectorFigure, IsLikeThePictureWithAnImage) {
   expect_like_the_picture(bent_sheet(), with_image(figure_of({&Layers::fill}), test::painted(all)));
 }
 
+/// Two sheets that lie over each other at rest, the first in front; each shows its own layer, and
+/// is larger than that.
+TEST(VectorFigure, IsLikeThePictureWithTheLayersOfAPainting) {
+  const Snapshot one = bent_sheet();
+  const Eigen::Index vertices = one.rest->cols(), triangles = one.triangles->cols();
+  Snapshot snapshot = test::undeformed(test::square_grid(6));
+  Points rest(2, 2 * vertices), deformed(2, 2 * vertices);
+  rest << *one.rest, one.rest->colwise() + Vec2(2, 1);
+  deformed << one.deformed, one.deformed.colwise() + Vec2(2, 1);
+  Triangles both(3, 2 * triangles);
+  both << *one.triangles, one.triangles->array() + static_cast<int>(vertices);
+  snapshot.rest = std::make_shared<const Points>(rest);
+  snapshot.deformed = deformed;
+  snapshot.triangles = std::make_shared<const Triangles>(both);
+  snapshot.original_vertices = static_cast<int>(2 * vertices);
+  const int count = static_cast<int>(vertices);
+  FigureOptions options = figure_of({&Layers::fill, &Layers::boundary});
+  options.parts = std::make_shared<const MeshParts>(
+      MeshParts{{"front", 0, count, 1}, {"back", count, count, 0}});
+  const auto levels = [](std::array<std::uint8_t, 4> colour) {
+    return std::make_shared<const TextureLevels>(texture_levels(of_one_colour(colour)));
+  };
+  options.texture = std::make_shared<const TexturePieces>(
+      TexturePieces{{levels({200, 40, 40, 255}), {{0.1, 0.1}, {0.5, 0.6}}},
+                    {levels({40, 40, 200, 255}), {{0.3, 0.3}, {0.9, 0.9}}}});
+  expect_like_the_picture(snapshot, options);
+}
+
 TEST(VectorFigure, IsLikeThePictureFromNearAndFarOfItsMiddle) {
   FigureOptions options = figure_of({&Layers::fill, &Layers::wireframe, &Layers::handles});
   options.style.line_width = 3;

@@ -44,6 +44,7 @@ std::ostream& operator<<(std::ostream& out, const Extents& e) {
 struct Words {
   std::string text;
   ImU32 colour = 0;
+  float top = 0;  ///< of the line
   Extents whole;  ///< with what the clip rectangle takes away
   Extents seen;
   bool is_cut = false;
@@ -132,14 +133,17 @@ class WindowReader {
     if (a.uv.x == c.uv.x || a.uv.y == c.uv.y) return false;
     const ImFontGlyph* glyph = glyphs_.find(a.uv, c.uv);
     if (!glyph) return false;
+    const float left_out = (a.uv.y - glyph->V0) / (glyph->V1 - glyph->V0);
+    const float top = a.pos.y - glyph->Y0 - left_out * (glyph->Y1 - glyph->Y0);
     const Extents quad{a.pos, c.pos};
     const Extents seen = intersection(quad, clip);
     if (seen.is_empty()) {
-      if (goes_on(quad, a.col) && is_cut(quad, clip)) words_.back().is_cut = true;
+      if (goes_on(quad, top, a.col) && is_cut(quad, clip)) words_.back().is_cut = true;
       return true;
     }
-    if (!goes_on(quad, a.col))
-      words_.push_back({.text = {}, .colour = a.col, .whole = {}, .seen = {}, .is_cut = false});
+    if (!goes_on(quad, top, a.col))
+      words_.push_back(
+          {.text = {}, .colour = a.col, .top = top, .whole = {}, .seen = {}, .is_cut = false});
     Words& words = words_.back();
     append_utf8(words.text, glyph->Codepoint);
     if (is_cut(*glyph, a.uv, c.uv) || is_cut(quad, clip)) words.is_cut = true;
@@ -149,13 +153,12 @@ class WindowReader {
   }
 
   /// The next character of the same line, which one command draws.
-  bool goes_on(const Extents& quad, ImU32 colour) const {
+  bool goes_on(const Extents& quad, float top, ImU32 colour) const {
     if (words_.size() == words_before_) return false;
     const Words& words = words_.back();
-    const float height = std::max(8.0F, words.whole.high.y - words.whole.low.y);
-    return words.colour == colour && quad.low.x > words.whole.high.x - 3 &&
-           quad.low.x < words.whole.high.x + height && quad.low.y < words.whole.high.y + height &&
-           quad.high.y > words.whole.low.y - height;
+    const float space = std::max(8.0F, words.whole.high.y - words.whole.low.y);
+    return words.colour == colour && std::abs(words.top - top) < 2 &&
+           quad.low.x > words.whole.high.x - 3 && quad.low.x < words.whole.high.x + space;
   }
 
   /// By more than smoothing, in a direction in which the window does not scroll.
