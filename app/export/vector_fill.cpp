@@ -36,13 +36,17 @@ AffineMap rest_to_pane(const PlacedMesh& mesh, int triangle) {
                       corners_of(mesh, mesh.places, triangle));
 }
 
+/// Of the pane to the rest plane in units of squares, from the corner of the board, and back.
+struct BoardMaps {
+  AffineMap to_squares, to_pane;
+};
+
 /// Adds what of a polygon of the pane lies in dark squares of the board, which is so large: of
-/// triangles that are all but flat the strips reach far over the rest plane. `to_squares` takes it
-/// to the rest plane in units of squares, from the corner of the board.
-void add_dark_parts(const VectorPane& pane, const Polygon& polygon, const AffineMap& to_squares,
-                    const AffineMap& to_pane, const Box& board) {
+/// triangles that are all but flat the strips reach far over the rest plane.
+void add_dark_parts(const VectorPane& pane, const Polygon& polygon, const BoardMaps& maps,
+                    const Box& board) {
   Polygon on_board = polygon;
-  for (glm::dvec2& p : on_board) p = to_squares(p);
+  for (glm::dvec2& p : on_board) p = maps.to_squares(p);
   on_board = clipped(std::move(on_board), board);
   if (on_board.empty()) return;
   glm::dvec2 low = on_board.front(), high = low;
@@ -54,7 +58,7 @@ void add_dark_parts(const VectorPane& pane, const Polygon& polygon, const Affine
     for (double x = std::floor(low.x); x < high.x; ++x) {
       if (std::fmod(std::abs(x + y), 2.0) == 0) continue;
       Polygon part = clipped(on_board, {{x, y}, {x + 1, y + 1}});
-      for (glm::dvec2& p : part) p = to_pane(p);
+      for (glm::dvec2& p : part) p = maps.to_pane(p);
       add_polygon(pane, std::move(part));
     }
 }
@@ -151,7 +155,7 @@ void fill_with_board(const VectorPane& pane, const PlacedMesh& mesh, std::size_t
     if (!is_finite(to_pane) || !is_finite(to_squares)) continue;
     for (const Polygon& piece : grown(mesh, t, is_other_sheet))
       if (may_meet(piece, seen))
-        add_dark_parts(pane, clipped(piece, seen), to_squares, to_pane, whole_board);
+        add_dark_parts(pane, clipped(piece, seen), {to_squares, to_pane}, whole_board);
   }
   set_colour(pane, board.dark);
   cairo_fill(pane.cairo);

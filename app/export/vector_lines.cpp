@@ -21,21 +21,18 @@ std::size_t share_of(double pixels, double fade_below) {
   return static_cast<std::size_t>(std::lround(share * kShares));
 }
 
-void stroke_edges(const VectorPane& pane, const PlacedMesh& mesh, std::span<const MeshEdge> edges,
-                  const std::vector<int>& order, const LineStyle& style) {
-  std::array<std::vector<int>, kShares + 1> by_share;
+void stroke_edges(const VectorPane& pane, const PlacedMesh& mesh,
+                  const std::vector<MeshEdge>& edges, const LineStyle& style) {
+  std::array<std::vector<MeshEdge>, kShares + 1> by_share;
   const double fade_below = style.fade_below * pane.ui_scale;
-  for (const int e : order) {
-    const MeshEdge& edge = edges[static_cast<std::size_t>(e)];
+  for (const MeshEdge& edge : edges) {
     const double pixels = glm::distance(mesh.places[edge.a], mesh.places[edge.b]);
-    by_share[share_of(pixels, fade_below)].push_back(e);
+    by_share[share_of(pixels, fade_below)].push_back(edge);
   }
   for (std::size_t step = 0; step <= kShares; ++step) {
     if (by_share[step].empty()) continue;
-    for (const int e : by_share[step]) {
-      const MeshEdge& edge = edges[static_cast<std::size_t>(e)];
+    for (const MeshEdge& edge : by_share[step])
       add_line(pane, mesh.places[edge.a], mesh.places[edge.b]);
-    }
     set_line(pane, style, static_cast<double>(step) / kShares);
     cairo_stroke(pane.cairo);
   }
@@ -48,10 +45,10 @@ void draw_edges(const VectorPane& pane, const PlacedMesh& mesh, std::size_t shee
   for (const EdgeLines& lines : edge_lines(style)) {
     const auto set = static_cast<std::size_t>(lines.set);
     const LayerLists& sheets = mesh.edges_by_sheet[set];
-    const auto first = sheets.order.begin();
-    const std::vector<int> order(first + static_cast<std::ptrdiff_t>(sheets.first[sheet]),
-                                 first + static_cast<std::ptrdiff_t>(sheets.first[sheet + 1]));
-    stroke_edges(pane, mesh, mesh.edges[set], order, lines.style);
+    std::vector<MeshEdge> edges;
+    for (std::size_t k = sheets.first[sheet]; k < sheets.first[sheet + 1]; ++k)
+      edges.push_back(mesh.edges[set][static_cast<std::size_t>(sheets.order[k])]);
+    stroke_edges(pane, mesh, edges, lines.style);
   }
 }
 

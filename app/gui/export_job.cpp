@@ -16,8 +16,8 @@ void export_mesh(const Editor& editor, const std::filesystem::path& path) {
   write_mesh(path, *shown->triangles, shown->deformed, shown->rest.get());
 }
 
-void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer,
-               BackgroundExports& exports, FileBrowser& browser) {
+void carry_out(const ExportJob& job, Editor& editor, const ExportMeans& means) {
+  const auto& [renderer, exports, browser] = means;
   try {
     if (job.is_sequence) return exports.sequence.start(job.path, editor, job.picture);
     if (vector_format_of(job.path)) return exports.figure.start(job.path, editor, job.picture);

@@ -27,9 +27,15 @@ struct ExportJob {
 /// cannot be written.
 void export_mesh(const Editor& editor, const std::filesystem::path& path);
 
+/// What an export is made with.
+struct ExportMeans {
+  SceneRenderer& renderer;
+  BackgroundExports& exports;
+  FileBrowser& browser;
+};
+
 /// Writes what a job asks for and says so; figures and sequences when they are done, by `exports`.
 /// Where that fails, the file browser asks again if it was there that the file was chosen.
-void carry_out(const ExportJob& job, Editor& editor, SceneRenderer& renderer,
-               BackgroundExports& exports, FileBrowser& browser);
+void carry_out(const ExportJob& job, Editor& editor, const ExportMeans& means);
 
 }  // namespace foldless

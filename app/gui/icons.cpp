@@ -34,7 +34,8 @@ std::span<const ImWchar> icon_ranges() {
   return ranges;
 }
 
-void draw_icon(Icon icon, const ImVec2& corner, float side, ImU32 colour, const Look& look) {
+void draw_icon(Icon icon, const IconPlace& place, ImU32 colour, const Look& look) {
+  const auto& [corner, side] = place;
   ImFont* font = side < look.px(28) ? look.fonts.small_icons : look.fonts.icons;
   const std::string text = utf8(icon);
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());

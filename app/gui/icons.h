@@ -43,7 +43,13 @@ enum class Icon : ImWchar {
 /// First and last of each range of characters, ended by 0 as ImGui wants it.
 std::span<const ImWchar> icon_ranges();
 
-/// In the middle of a square, in the larger of two sizes where it has room.
-void draw_icon(Icon icon, const ImVec2& corner, float side, ImU32 colour, const Look& look);
+/// The square that an icon is in the middle of.
+struct IconPlace {
+  ImVec2 corner;
+  float side = 0;
+};
+
+/// In the larger of two sizes where it has room.
+void draw_icon(Icon icon, const IconPlace& place, ImU32 colour, const Look& look);
 
 }  // namespace foldless

@@ -195,7 +195,7 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
                   preview.has_value(), preview ? preview->words : ""};
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order())
-    carry_out(*job, editor, p.scenes.canvas_renderer(), p.exports, p.state.browser);
+    carry_out(*job, editor, {p.scenes.canvas_renderer(), p.exports, p.state.browser});
   update_exports(p.exports, editor, spec.time);
   p.scenes.draw(editor, p.layout, spec.framebuffer);
   p.state.heat_range = p.scenes.heat_range();

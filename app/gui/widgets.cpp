@@ -23,7 +23,7 @@ bool icon_button(const IconButton& button, const Look& look) {
   ImGui::PopStyleColor(button.is_main ? 2 : 1);
   ImGui::PopStyleVar();
   const ImVec4& colour = button.is_main ? p.on_accent : (button.is_chosen ? p.accent : p.text);
-  draw_icon(button.icon, corner, side, packed(colour, ImGui::GetStyle().Alpha), look);
+  draw_icon(button.icon, {corner, side}, packed(colour, ImGui::GetStyle().Alpha), look);
   tooltip(button.tip, look);
   return pressed;
 }

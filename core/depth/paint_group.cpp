@@ -32,10 +32,16 @@ std::map<int, DepthRange> ranges_of_components(const std::vector<int>& component
   return ranges;
 }
 
+/// The parts of a mesh, and of every triangle which it belongs to.
+struct PartsOfTriangles {
+  std::span<const MeshPart> parts;
+  const std::vector<int>& of_triangle;
+};
+
 std::vector<DepthRange> ranges_of_parts(const Triangles& triangles, int vertex_count,
-                                        const std::vector<int>& part_of_triangle,
-                                        std::span<const MeshPart> parts,
+                                        const PartsOfTriangles& mesh,
                                         std::span<const HandleDepth> handles) {
+  const auto& [parts, part_of_triangle] = mesh;
   const std::vector<int> component = components_of(triangles, vertex_count);
   const auto of_component = ranges_of_components(component, handles);
   std::vector<DepthRange> ranges(parts.size());
@@ -116,7 +122,7 @@ std::vector<PaintGroup> paint_groups(const std::shared_ptr<const Triangles>& tri
   }
   const std::vector<int> part = parts_of_triangles(*triangles, vertex_count, parts);
   const std::vector<std::size_t> group_of =
-      groups_of_parts(ranges_of_parts(*triangles, vertex_count, part, parts, handles));
+      groups_of_parts(ranges_of_parts(*triangles, vertex_count, {parts, part}, handles));
   std::vector<std::vector<int>> members(parts.size());
   for (std::size_t t = 0; t < part.size(); ++t)
     members[group_of[static_cast<std::size_t>(part[t])]].push_back(static_cast<int>(t));

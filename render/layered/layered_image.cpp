@@ -26,7 +26,8 @@ void paint_over(LightRow& row, const PictureLayer& layer, int y) {
   for (int x = std::max(0, -layer.x); x < end; ++x) {
     const std::uint8_t* pixel = layer.image.at(x, own_y);
     const float alpha = static_cast<float>(layer.opacity) * static_cast<float>(pixel[3]) / 255;
-    auto& below = row[static_cast<std::size_t>(layer.x + x)];
+    const int column = layer.x + x;
+    auto& below = row[static_cast<std::size_t>(column)];
     for (std::size_t c = 0; c < 4; ++c) {
       const float own = c < 3 ? static_cast<float>(pixel[c]) : 255;
       below[c] = own * alpha + below[c] * (1 - alpha);

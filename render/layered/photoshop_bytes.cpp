@@ -30,7 +30,8 @@ void unpack_row(std::string_view packed, std::size_t row_bytes, std::string& out
   const std::size_t end = out.size() + row_bytes;
   PhotoshopBytes bytes(packed);
   while (out.size() < end) {
-    const int head = static_cast<std::int8_t>(bytes.byte());
+    const int byte = static_cast<int>(bytes.byte());
+    const int head = byte < 128 ? byte : byte - 256;
     if (head == -128) continue;
     const auto count = static_cast<std::size_t>(head < 0 ? 1 - head : 1 + head);
     if (out.size() + count > end) throw Error("the Photoshop file is damaged: a row is too long");

@@ -95,7 +95,7 @@ TEST_F(LayeredImport, AClickTakesTheFrontPart) {
   place(editor_->document().parts->front().first_vertex);
   for (const auto& [depth, front] : {std::pair{1.5, "Left arm"}, std::pair{2.5, "Body"}}) {
     editor_->edits().change_selected("Depth", Change::appearance,
-                                     [&](Handle& handle) { handle.depth = depth; });
+                                     [depth = depth](Handle& handle) { handle.depth = depth; });
     EXPECT_EQ(part_at({58, 108}), front) << "the arms' depths are 2 and 3";
   }
 }
