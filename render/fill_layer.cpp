@@ -62,7 +62,9 @@ void upload_colours(const Texture& texture, std::size_t triangles, const ColourO
 }  // namespace
 
 FillLayer::FillLayer(const std::filesystem::path& shader_folder)
-    : fill_("fill", shader_folder), heat_("heat", shader_folder) {}
+    : board_({"board", "fill"}, shader_folder),
+      image_({"image", "fill"}, shader_folder),
+      heat_({"heat"}, shader_folder) {}
 
 void FillLayer::set_texture(const TexturePieces& pieces, const std::optional<Box>& place) {
   using Beyond = FillTexture::Beyond;
@@ -79,16 +81,9 @@ void FillLayer::set_texture(const TexturePieces& pieces, const std::optional<Box
 
 void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
                      const Checkerboard& board) const {
-  use_in_frame(fill_, frame);
-  const glm::dvec2 extent = (mesh.rest_box().max - mesh.rest_box().min) / mesh.local().unit;
-  fill_.set("box_min", mesh.local().to_local(mesh.rest_box().min));
-  fill_.set("box_size", glm::vec2(extent));
-  fill_.set("square_size", static_cast<float>(std::max(extent.x, extent.y) / board.squares));
-  fill_.set("light", board.light);
-  fill_.set("dark", board.dark);
-  fill_.set("is_textured", pieces_.empty() ? 0 : 1);
-  fill_.set("image", 0);
-  if (pieces_.empty()) return mesh.draw_triangles(sheet);
+  if (pieces_.empty()) return draw_board(frame, mesh, sheet, board);
+  use_in_frame(image_, frame);
+  image_.set("image", 0);
   for (std::size_t part = 0; part < mesh.part_count(); ++part) {
     const Piece& piece = pieces_[std::min(part, pieces_.size() - 1)];
     if (!piece.image || !mesh.has_triangles(sheet, part)) continue;
@@ -97,23 +92,32 @@ void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, std::size_t shee
   }
 }
 
+void FillLayer::draw_board(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
+                           const Checkerboard& board) const {
+  use_in_frame(board_, frame);
+  const glm::dvec2 extent = (mesh.rest_box().max - mesh.rest_box().min) / mesh.local().unit;
+  board_.set("box_min", mesh.local().to_local(mesh.rest_box().min));
+  board_.set("square_size", static_cast<float>(std::max(extent.x, extent.y) / board.squares));
+  board_.set("light", board.light);
+  board_.set("dark", board.dark);
+  mesh.draw_triangles(sheet);
+}
+
 void FillLayer::use_image(const Piece& piece, const MeshLayer& mesh) const {
   const Box& whole = image_place_ ? *image_place_ : mesh.rest_box();
   const glm::dvec2 extent = whole.max - whole.min;
-  fill_.set("box_min", mesh.local().to_local(whole.min + piece.within.min * extent));
-  fill_.set("box_size",
-            glm::vec2((piece.within.max - piece.within.min) * extent / mesh.local().unit));
+  image_.set("box_min", mesh.local().to_local(whole.min + piece.within.min * extent));
+  image_.set("box_size",
+             glm::vec2((piece.within.max - piece.within.min) * extent / mesh.local().unit));
   piece.image->bind();
 }
 
 void FillLayer::draw_folded(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
                             const glm::vec4& colour) const {
-  use_in_frame(fill_, frame);
-  fill_.set("box_size", glm::vec2(1));
-  fill_.set("square_size", 1.0F);
-  fill_.set("light", colour);
-  fill_.set("dark", colour);
-  fill_.set("is_textured", 0);
+  use_in_frame(board_, frame);
+  board_.set("square_size", 1.0F);
+  board_.set("light", colour);
+  board_.set("dark", colour);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_FRONT);
   mesh.draw_triangles(sheet);

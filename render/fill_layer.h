@@ -61,10 +61,13 @@ class FillLayer {
   };
 
   void use_image(const Piece& piece, const MeshLayer& mesh) const;
+  void draw_board(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
+                  const Checkerboard& board) const;
   void draw_colours(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
                     const Texture& colours) const;
 
-  ShaderProgram fill_;
+  ShaderProgram board_;
+  ShaderProgram image_;
   ShaderProgram heat_;
   std::vector<Piece> pieces_;
   std::optional<Box> image_place_;

@@ -4,7 +4,7 @@
 namespace foldless {
 
 LineLayer::LineLayer(const std::filesystem::path& shader_folder)
-    : program_("line", shader_folder) {}
+    : program_({"line"}, shader_folder) {}
 
 void LineLayer::begin(const Frame& frame, const LineStyle& style) const {
   use_in_frame(program_, frame);

@@ -6,7 +6,7 @@
 namespace foldless {
 
 MarkerLayer::MarkerLayer(const std::filesystem::path& shader_folder)
-    : program_("marker", shader_folder) {
+    : program_({"marker"}, shader_folder) {
   const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
   glBindVertexArray(markers_.id());
   glBindBuffer(GL_ARRAY_BUFFER, instances_.id());

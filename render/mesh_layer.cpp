@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/wire_corners.h"
+
 namespace foldless {
 namespace {
 
@@ -25,6 +27,11 @@ const std::vector<Edge>& flipped_of(const Snapshot& snapshot) {
 template <class T>
 void upload(GLenum target, const std::vector<T>& values, GLenum usage) {
   glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), usage);
+}
+
+void upload_points(const Buffer& buffer, const std::vector<float>& values) {
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+  upload(GL_ARRAY_BUFFER, values, GL_STREAM_DRAW);
 }
 
 void attach_points(GLuint attribute, const Buffer& points) {
@@ -67,7 +74,8 @@ void MeshLayer::update(const Snapshot& snapshot, Pose pose) {
     sheets_ = sheets;
     upload_indices();
   }
-  upload_points(positions_, points);
+  local_positions_ = local(points);
+  upload_points(positions_, local_positions_);
   ++stats_.position_uploads;
 }
 
@@ -75,12 +83,13 @@ void MeshLayer::adopt_connectivity(const Snapshot& snapshot) {
   rest_box_ = box_of(*snapshot.rest);
   const glm::dvec2 extent = rest_box_.max - rest_box_.min;
   local_ = {0.5 * (rest_box_.min + rest_box_.max), std::max(extent.x, extent.y)};
-  upload_points(rest_, *snapshot.rest);
+  upload_points(rest_, local(*snapshot.rest));
   corners_.clear();
   for (const int v : snapshot.triangles->reshaped())
     corners_.push_back(static_cast<std::uint32_t>(v));
   flipped_edges_ = flipped_of(snapshot);
   mesh_edges_ = edge_lists(corners_, flipped_edges_);
+  is_boundary_ = hidden_edges(corners_, mesh_edges_[static_cast<std::size_t>(EdgeSet::boundary)]);
   const MeshParts none;
   const MeshParts& parts = mesh_parts_ ? *mesh_parts_ : none;
   parts_ = parts_of_triangles(*snapshot.triangles, static_cast<int>(snapshot.rest->cols()), parts);
@@ -120,13 +129,12 @@ void MeshLayer::append_lines(std::vector<std::uint32_t>& lines, EdgeSet set) {
   edge_starts_[static_cast<std::size_t>(set)] = std::move(lists.first);
 }
 
-void MeshLayer::upload_points(const Buffer& buffer, const Points& points) {
-  scratch_.resize(static_cast<std::size_t>(points.size()));
+std::vector<float> MeshLayer::local(const Points& points) const {
+  std::vector<float> values(static_cast<std::size_t>(points.size()));
   const Vec2 middle(local_.origin.x, local_.origin.y);
-  FloatPoints(scratch_.data(), 2, points.cols()) =
+  FloatPoints(values.data(), 2, points.cols()) =
       ((points.colwise() - middle) / local_.unit).cast<float>();
-  glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
-  upload(GL_ARRAY_BUFFER, scratch_, GL_STREAM_DRAW);
+  return values;
 }
 
 void MeshLayer::draw_triangles(std::size_t sheet) const {

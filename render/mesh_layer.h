@@ -46,6 +46,15 @@ class MeshLayer {
   /// Which triangle is drawn as the first, the second …; gl_PrimitiveID counts in this order, from
   /// 0 in every sheet.
   const std::vector<int>& order() const { return order_; }
+  std::size_t triangle_count(std::size_t sheet) const {
+    return first_triangle(sheet + 1) - first_triangle(sheet);
+  }
+  /// The vertices of the triangles, three by three.
+  const std::vector<std::uint32_t>& corners() const { return corners_; }
+  /// By corners(): whether the edge of the triangle opposite the corner is a boundary edge.
+  const std::vector<bool>& is_boundary() const { return is_boundary_; }
+  /// x and y of every vertex in the pose of the last update, in the frame local().
+  const std::vector<float>& local_positions() const { return local_positions_; }
   /// Place in order() of a sheet's first triangle.
   std::size_t first_triangle(std::size_t sheet) const {
     return triangle_starts_[sheet * part_count_];
@@ -70,7 +79,7 @@ class MeshLayer {
   void upload_indices();
   void draw_range(std::size_t first, std::size_t end) const;
   void append_lines(std::vector<std::uint32_t>& lines, EdgeSet set);
-  void upload_points(const Buffer& buffer, const Points& points);
+  std::vector<float> local(const Points& points) const;
   static void draw_lines(const VertexArray& lines, std::size_t first, std::size_t end);
   const std::vector<std::size_t>& starts(EdgeSet set) const {
     return edge_starts_[static_cast<std::size_t>(set)];
@@ -91,11 +100,12 @@ class MeshLayer {
   std::array<std::vector<std::size_t>, 3> edge_starts_;  ///< by EdgeSet, in the edge buffer
   std::vector<std::uint32_t> corners_;                   ///< three a triangle
   EdgeLists mesh_edges_;
+  std::vector<bool> is_boundary_;  ///< by corners_
   Box rest_box_;
   LocalFrame local_;
   std::optional<std::uint64_t> revision_;
   std::vector<Edge> flipped_edges_;  ///< those that are on the card
-  std::vector<float> scratch_;
+  std::vector<float> local_positions_;
   RenderStats stats_;
 };
 

@@ -9,11 +9,12 @@
 #include "render/marker_layer.h"
 #include "render/mesh_layer.h"
 #include "render/theme.h"
+#include "render/wire_layer.h"
 
 namespace foldless {
 struct SceneRenderer::Parts {
   explicit Parts(const std::filesystem::path& shader_folder)
-      : lines(shader_folder), fill(shader_folder), markers(shader_folder) {}
+      : lines(shader_folder), wire(shader_folder), fill(shader_folder), markers(shader_folder) {}
 
   void draw_rest(const Frame& frame, const ViewOptions& options) const;
   void prepare_heat(const Snapshot& snapshot, const SceneView& view, const ViewOptions& options);
@@ -22,6 +23,7 @@ struct SceneRenderer::Parts {
 
   MeshLayer mesh;
   LineLayer lines;
+  WireLayer wire;
   FillLayer fill;
   MarkerLayer markers;
   std::optional<HeatRange> heat_range;
@@ -55,8 +57,12 @@ void SceneRenderer::Parts::draw_inside(const Frame& frame, std::size_t sheet,
 void SceneRenderer::Parts::draw_edges(const Frame& frame, std::size_t sheet,
                                       const ViewOptions& options) const {
   for (const EdgeLines& edges : edge_lines(options)) {
-    lines.begin(frame, edges.style);
-    mesh.draw_edges(edges.set, sheet);
+    if (edges.set == EdgeSet::interior) {
+      wire.draw(frame, mesh, sheet, edges.style);
+    } else {
+      lines.begin(frame, edges.style);
+      mesh.draw_edges(edges.set, sheet);
+    }
   }
 }
 
@@ -97,6 +103,7 @@ void SceneRenderer::draw(const Snapshot& snapshot, const SceneView& view,
   const MarkerScene scene{snapshot, view, options, parts_->mesh.local()};
   if (options.layers.rest && options.pose != Pose::rest) parts_->draw_rest(frame, options);
   parts_->prepare_heat(snapshot, view, options);
+  if (options.layers.wireframe) parts_->wire.upload(parts_->mesh);
   if (!view.stiffness.empty()) parts_->fill.upload_stiffness(parts_->mesh, view.stiffness);
   // Whatever layers are on: a map that is not valid shows it.
   const bool shows_folds = snapshot.folded_triangles > 0 && options.pose == Pose::deformed;

@@ -71,19 +71,19 @@ void link(GLuint program, std::string_view name) {
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(std::string_view name, const fs::path& folder) {
-  const fs::path stem = (folder.empty() ? data_path("shaders") : folder) / name;
-  const auto file = [&](const char* extension) { return fs::path(stem) += extension; };
-  const Stage vertex(GL_VERTEX_SHADER, file(".vert"));
-  const Stage fragment(GL_FRAGMENT_SHADER, file(".frag"));
+ShaderProgram::ShaderProgram(const ShaderNames& names, const fs::path& folder) {
+  const fs::path shaders = folder.empty() ? data_path("shaders") : folder;
+  const fs::path geometry_file = shaders / (std::string(names.name) + ".geom");
+  const Stage vertex(GL_VERTEX_SHADER, shaders / (std::string(names.vertex) + ".vert"));
+  const Stage fragment(GL_FRAGMENT_SHADER, shaders / (std::string(names.name) + ".frag"));
   glAttachShader(program_.id(), vertex.id());
   glAttachShader(program_.id(), fragment.id());
-  if (fs::exists(file(".geom"))) {
-    const Stage geometry(GL_GEOMETRY_SHADER, file(".geom"));
+  if (fs::exists(geometry_file)) {
+    const Stage geometry(GL_GEOMETRY_SHADER, geometry_file);
     glAttachShader(program_.id(), geometry.id());
-    link(program_.id(), name);
+    link(program_.id(), names.name);
   } else {
-    link(program_.id(), name);
+    link(program_.id(), names.name);
   }
 }
 

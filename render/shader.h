@@ -11,12 +11,19 @@
 
 namespace foldless {
 
-/// A linked program of NAME.vert, NAME.frag and, where there is one, NAME.geom.
+/// The files of a program: NAME.frag, NAME.vert or that of another name and, where there is one,
+/// NAME.geom.
+struct ShaderNames {
+  const char* name;
+  const char* vertex = name;
+};
+
+/// A linked program.
 class ShaderProgram {
  public:
   /// Reads the files from `folder`; without one, from data_path("shaders"). Throws Error with the
   /// driver's words when a file is missing or does not compile or link.
-  explicit ShaderProgram(std::string_view name, const std::filesystem::path& folder = {});
+  explicit ShaderProgram(const ShaderNames& names, const std::filesystem::path& folder = {});
 
   void use() const;
 

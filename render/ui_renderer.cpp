@@ -14,7 +14,7 @@
 namespace foldless {
 
 struct UiRenderer::Resources {
-  ShaderProgram program{"ui"};
+  ShaderProgram program{{"ui"}};
   VertexArray vertex_array;
   Buffer vertices;
   Buffer indices;

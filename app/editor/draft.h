@@ -12,6 +12,7 @@
 #include "app/editor/proof.h"
 #include "app/editor/selection.h"
 #include "app/editor/solving.h"
+#include "app/editor/target_tolerance.h"
 #include "core/depth/paint_order.h"
 
 namespace foldless {
@@ -50,6 +51,8 @@ class Draft {
   const std::shared_ptr<const Snapshot>& shown() const { return shown_; }
   /// Of the mesh on screen.
   const Proof& proof() const { return proof_; }
+  /// target_tolerance() of the document.
+  double target_tolerance() const { return tolerance_.of(document_); }
   /// For picking: which sheet of the mesh on screen lies in front.
   PaintOrder& paint_order() { return paint_order_; }
   /// The solver's newest map folds: the document has kept the last that does not.
@@ -125,6 +128,7 @@ class Draft {
   std::shared_ptr<const Snapshot> proved_;  ///< the pose that proof_ is about
   std::optional<LookBack> look_back_;
   Proof proof_;
+  mutable TargetTolerance tolerance_;  ///< keeps what it found
   PaintOrder paint_order_;
 };
 

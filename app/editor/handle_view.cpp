@@ -9,7 +9,7 @@ std::vector<HandleView> handle_views(const Draft& draft) {
   std::vector<HandleView> views;
   if (!draft.shown()) return views;
   const Selection& selection = draft.selection();
-  const double tolerance = target_tolerance(draft.document());
+  const double tolerance = draft.target_tolerance();
   for (const Handle& handle : draft.shown()->handles) {
     HandleView view{handle.id, handle.vertex, handle.kind, handle.name};
     view.position = draft.shown()->deformed.col(handle.vertex);

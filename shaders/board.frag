@@ -3,13 +3,10 @@
 
 in vec2 rest_position;
 
-uniform vec2 box_min;   // of the rest mesh
-uniform vec2 box_size;
+uniform vec2 box_min;  // of the rest mesh
 uniform float square_size;
 uniform vec4 light;
 uniform vec4 dark;
-uniform int is_textured;
-uniform sampler2D image;  // premultiplied, first row at the top
 
 out vec4 fragment;
 
@@ -26,11 +23,5 @@ float dark_share(vec2 p) {
 }
 
 void main() {
-  vec2 inside = rest_position - box_min;
-  if (is_textured == 1) {
-    vec2 uv = inside / box_size;
-    fragment = texture(image, vec2(uv.x, 1.0 - uv.y));
-  } else {
-    fragment = mix(light, dark, dark_share(inside / square_size));
-  }
+  fragment = mix(light, dark, dark_share((rest_position - box_min) / square_size));
 }
