@@ -9,6 +9,8 @@ struct Viewport {
   int y = 0;
   int width = 1;
   int height = 1;
+
+  bool operator==(const Viewport&) const = default;
 };
 
 }  // namespace foldless

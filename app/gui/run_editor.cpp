@@ -117,10 +117,12 @@ class Session {
     last_start_ = clock_.now();
     const SessionWindow window{framebuffer, window_.size(), window_.content_scale()};
     record([&] { recorder_.follow(last_start_, window, opened_); });
-    ui_.frame(editor_, {framebuffer, window_.size(), window_.content_scale(), last_start_});
+    const bool has_drawn = ui_.frame(editor_, {framebuffer, window_.size(), window_.content_scale(),
+                                               last_start_, !window_.take_damage()});
     window_.set_title(editor_.files().title() + " – Foldless");
     window_.set_cursor(ui_.cursor());
     remember_size();
+    if (!has_drawn) return;
     const double drawn = clock_.now();
     window_.swap_buffers();
     log_.add({last_start_, drawn - last_start_, clock_.now() - last_start_,

@@ -8,7 +8,7 @@
 #include "app/editor/editor.h"
 #include "app/gui/extent.h"
 #include "app/gui/layout.h"
-#include "app/gui/preview.h"
+#include "app/gui/sight.h"
 #include "render/scene_renderer.h"
 
 namespace foldless {
@@ -17,21 +17,21 @@ namespace foldless {
 /// Every function needs the GL context of the constructor.
 class Scenes {
  public:
+  /// Finds what is in sight; returns whether any of it differs from what was there before.
+  bool follow(Editor& editor, const Layout& layout, Extent framebuffer);
   /// Clears the framebuffer and draws what is in sight.
-  void draw(Editor& editor, const Layout& layout, Extent framebuffer);
+  void draw();
   /// The scale of the heat map on screen; nothing when that layer is off.
   const std::optional<HeatRange>& heat_range() const { return heat_range_; }
   /// Of the canvas.
   SceneRenderer& canvas_renderer() { return canvas_; }
 
  private:
-  void follow_texture(Editor& editor);
-  void draw_preview(const Preview& preview, const Editor& editor, const Layout& layout,
-                    Extent framebuffer);
-  void draw_document(Editor& editor, const Layout& layout, Extent framebuffer);
-  void draw_other_pose(const Editor& editor, SceneView view, ViewOptions options);
-  void draw_race(const Editor& editor, const Layout& layout, Extent framebuffer);
+  bool follow_texture(Editor& editor);
+  void add_lanes(std::size_t count);
+  void draw(const SceneInSight& scene, const std::optional<HeatRange>& common);
 
+  Sight sight_;
   SceneRenderer canvas_;
   /// One a lane: each keeps its mesh on the graphics card.
   std::vector<std::unique_ptr<SceneRenderer>> lanes_;

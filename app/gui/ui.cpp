@@ -14,6 +14,7 @@
 #include "app/gui/dialog_keys.h"
 #include "app/gui/export_job.h"
 #include "app/gui/input_feed.h"
+#include "app/gui/interface_picture.h"
 #include "app/gui/names_on_screen.h"
 #include "app/gui/panels.h"
 #include "app/gui/preview.h"
@@ -65,6 +66,7 @@ struct Ui::Parts {
   ImGuiOwner imgui;
   UiRenderer ui_renderer;
   Scenes scenes;
+  InterfacePicture interface_picture;
   BackgroundExports exports;
   Thumbnails thumbnails;
   bool has_thumbnails_to_make = false;
@@ -80,6 +82,7 @@ struct Ui::Parts {
   double time = 0;
   int settling = kSettlingFrames;
   News news;                   ///< of the last frame
+  bool has_new_look = true;    ///< fonts or colours of its own were made anew
   bool scale_changed = false;  ///< the canvas shrank or grew under the drawing
 
   void connect_clipboard();
@@ -110,6 +113,7 @@ void Ui::Parts::follow_appearance(const Editor& editor, float content_scale) {
   need_names(appearance.glyphs(), editor, state);
   const auto change = appearance.follow(state.settings, content_scale);
   if (change == Appearance::Change::none) return;
+  has_new_look = true;
   if (change == Appearance::Change::scale) scale_changed = true;
   settling = kSettlingFrames;
 }
@@ -174,7 +178,7 @@ void Ui::receive(const UiEvent& event) {
   parts_->settling = kSettlingFrames;
 }
 
-void Ui::frame(Editor& editor, const FrameSpec& spec) {
+bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   Parts& p = *parts_;
   prepare(editor, spec);
   const Vec2 pixels{static_cast<double>(spec.framebuffer.width) / std::max(spec.window.width, 1),
@@ -197,16 +201,29 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   if (const auto job = p.state.exporting.take_order())
     carry_out(*job, editor, {p.scenes.canvas_renderer(), p.exports, p.state.browser});
   update_exports(p.exports, editor, spec.time);
-  p.scenes.draw(editor, p.layout, spec.framebuffer);
-  p.state.heat_range = p.scenes.heat_range();
-  draw_panels(editor);
-  ImGui::Render();
-  p.ui_renderer.draw(*ImGui::GetDrawData());
+  const bool has_drawn = draw_frame(editor, spec);
   p.has_thumbnails_to_make = editor.document().is_empty() && p.thumbnails.update();
   p.remember(editor);
   p.follow_settings();
   if (p.tooltips.has_appeared()) p.settling = kSettlingFrames;
   p.settling = std::max(0, p.settling - 1);
+  return has_drawn;
+}
+
+/// The panels need what the scenes find, the heat map's scale, and cover them.
+bool Ui::draw_frame(Editor& editor, const FrameSpec& spec) {
+  Parts& p = *parts_;
+  const bool has_new_scenes = p.scenes.follow(editor, p.layout, spec.framebuffer);
+  if (has_new_scenes) p.scenes.draw();
+  p.state.heat_range = p.scenes.heat_range();
+  draw_panels(editor);
+  ImGui::Render();
+  const bool has_new_interface = p.interface_picture.follow(*ImGui::GetDrawData());
+  const bool has_new_textures = p.has_thumbnails_to_make || std::exchange(p.has_new_look, false);
+  if (spec.is_kept && !has_new_scenes && !has_new_interface && !has_new_textures) return false;
+  if (!has_new_scenes) p.scenes.draw();
+  p.ui_renderer.draw(*ImGui::GetDrawData());
+  return true;
 }
 
 void Ui::prepare(const Editor& editor, const FrameSpec& spec) {

@@ -29,6 +29,7 @@ struct FrameSpec {
   Extent window;            ///< window coordinates, which pointer events use
   float content_scale = 1;  ///< pixels in a design pixel that the desktop asks for
   double time = 0;          ///< a clock that never goes back [s]
+  bool is_kept = false;     ///< it still shows the last frame: one like that need not be drawn
 };
 
 /// The interface: panels, dialogs and the canvas, drawn into the framebuffer that is bound. Knows
@@ -45,8 +46,9 @@ class Ui {
   /// Gives an editor in which nothing was opened yet what the user had the last time.
   void restore(Editor& editor) const;
   void receive(const UiEvent& event);
-  /// Handles what was received, updates the editor, and draws both.
-  void frame(Editor& editor, const FrameSpec& spec);
+  /// Handles what was received, updates the editor, and draws both. Returns whether it drew: not
+  /// where the framebuffer keeps a picture that would be the same.
+  bool frame(Editor& editor, const FrameSpec& spec);
   /// Seconds until another frame is due though nothing happens; nothing: only when something does.
   std::optional<double> next_frame(const Editor& editor, double now) const;
 
@@ -67,6 +69,7 @@ class Ui {
   void resize(Editor& editor);
   void route(Editor& editor, const std::vector<UiEvent>& events, double time);
   void draw_panels(Editor& editor);
+  bool draw_frame(Editor& editor, const FrameSpec& spec);
 
   std::unique_ptr<Parts> parts_;
 };

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/gui/extent.h"
@@ -35,6 +36,8 @@ class Window {
   /// What happened since the last call, positions in window coordinates.
   std::vector<UiEvent> take_events();
 
+  /// True once after the window's picture was lost, as behind another window.
+  bool take_damage() { return std::exchange(events_.is_damaged, false); }
   /// True once after the user asked to close the window.
   bool take_close_request();
   Extent size() const;              ///< window coordinates

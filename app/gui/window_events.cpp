@@ -163,6 +163,7 @@ void send_events_to(GLFWwindow* window, WindowEvents& events) {
   glfwSetCursorEnterCallback(window, on_enter);
   glfwSetWindowFocusCallback(window, on_focus);
   glfwSetDropCallback(window, on_drop);
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { state_of(w).is_damaged = true; });
 }
 
 }  // namespace foldless

@@ -12,6 +12,7 @@ namespace foldless {
 /// What a window's callbacks keep.
 struct WindowEvents {
   std::vector<UiEvent> events;  ///< in the order in which they happened
+  bool is_damaged = false;      ///< what the window showed is lost
   /// Where the pointer was at the newest event. GLFW asks the X server for the position of now,
   /// which in a slow frame is not where a button was pressed.
   Vec2 pointer = Vec2::Zero();

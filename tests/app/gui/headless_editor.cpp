@@ -32,7 +32,7 @@ void HeadlessEditor::frame() {
   offscreen_.bind();
   const Extent window{static_cast<int>(static_cast<float>(size_.width) / content_scale_),
                       static_cast<int>(static_cast<float>(size_.height) / content_scale_)};
-  ui_.frame(editor_, {size_, window, content_scale_, time_});
+  if (ui_.frame(editor_, {size_, window, content_scale_, time_, true})) ++drawn_frames_;
 }
 
 void HeadlessEditor::settle() {

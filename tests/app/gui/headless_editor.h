@@ -52,6 +52,8 @@ class HeadlessEditor {
   /// The newest position of a vertex.
   Vec2 position(int vertex) const;
 
+  /// How many frames were drawn: those like the one before are not.
+  int drawn_frames() const { return drawn_frames_; }
   Image picture();
   /// The canvas alone.
   Image canvas_picture();
@@ -67,6 +69,7 @@ class HeadlessEditor {
   Ui ui_;
   float content_scale_ = 1;
   double time_ = 0;
+  int drawn_frames_ = 0;
   std::set<std::string> known_defects_;  ///< each is said once
 };
 
