@@ -32,7 +32,6 @@ namespace {
 
 /// ImGui lays out what it met for the first time one frame later, and popups two.
 constexpr int kSettlingFrames = 3;
-constexpr double kTextCursorSeconds = 0.4;
 constexpr double kSettingsRestSeconds = 0.5;
 constexpr double kLookSeconds = 0.03;  ///< between looks at files read and written
 
@@ -154,6 +153,7 @@ Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;  // an open text field draws nothing while nobody types
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
   InputFeed::map_keys(io);
   parts_->connect_clipboard();
@@ -296,7 +296,6 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
     if (due) next = std::max(0.0, std::min(next.value_or(*due - now), *due - now));
   if (parts_->has_thumbnails_to_make || is_exporting())
     next = std::min(next.value_or(1), kLookSeconds);
-  if (ImGui::GetIO().WantTextInput) next = std::min(next.value_or(1), kTextCursorSeconds);
   return next;
 }
 

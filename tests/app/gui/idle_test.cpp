@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames that would be like the one on screen are not drawn.
 #include <gtest/gtest.h>
+#include <imgui.h>
 
 #include "core/mesh/generate.h"
 #include "tests/app/gui/headless_editor.h"
@@ -33,6 +34,13 @@ TEST_F(Idle, APointerOverTheBareCanvasDrawsNothing) {
               for (int i = 1; i < 20; ++i) headless_.move(kBare + Vec2(i, i));
             }),
             0);
+}
+
+TEST_F(Idle, AnOpenTextFieldAsksForNoFrames) {
+  headless_.key(Key::k, {.control = true});
+  headless_.calm_down();
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  EXPECT_EQ(headless_.ui().next_frame(editor(), 1000), std::nullopt);
 }
 
 TEST_F(Idle, WhateverChangesThePictureIsDrawn) {
