@@ -11,8 +11,6 @@
 #include "app/gui/short_text.h"
 #include "app/gui/view_pane.h"
 #include "app/gui/widgets.h"
-#include "core/energy/densities.h"
-#include "core/method/methods.h"
 
 namespace foldless {
 namespace {

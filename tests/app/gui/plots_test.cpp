@@ -2,9 +2,7 @@
 // The plots of the convergence panel, with wheel and mouse.
 #include <gtest/gtest.h>
 
-#include "app/editor/edits.h"
-#include "core/mesh/generate.h"
-#include "tests/app/gui/headless_editor.h"
+#include "tests/app/gui/bent_bar.h"
 
 namespace foldless::test {
 namespace {
@@ -12,19 +10,7 @@ namespace {
 class Plots : public testing::Test {
  protected:
   /// A bar that was bent by the paper's method.
-  Plots() {
-    editor().files().open_shape(bar(4, 1, 3), "bar");
-    headless_.calm_down();
-    Document document = editor().document();
-    document.parameters.method = "paper";
-    for (const int vertex : {0, 12}) document = place_handle(document, {.vertex = vertex}).document;
-    document = with_targets(document, {{1, Vec2(2, 2.5)}});
-    editor().draft().begin_edit();
-    editor().draft().apply(document, Change::mesh);
-    editor().draft().commit("Bend");
-    headless_.wait_until([this] { return !editor().playback().is_solving(); });
-    headless_.calm_down();
-  }
+  Plots() { EXPECT_TRUE(bend_a_bar(headless_)); }
   Editor& editor() { return headless_.editor(); }
   /// The plots without their controls, the pointer beside them.
   Image plots() {

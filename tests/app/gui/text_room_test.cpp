@@ -5,11 +5,9 @@
 
 #include <cstring>
 
-#include "app/editor/edits.h"
 #include "app/gui/race_layout.h"
 #include "app/gui/short_text.h"
-#include "core/mesh/generate.h"
-#include "tests/app/gui/headless_editor.h"
+#include "tests/app/gui/bent_bar.h"
 
 namespace foldless::test {
 namespace {
@@ -49,17 +47,7 @@ class TextRoom : public testing::TestWithParam<float> {
   /// A bar that was bent by the paper's method: energies of many digits.
   void bend() {
     headless_.set_content_scale(GetParam());
-    editor().files().open_shape(bar(4, 1, 3), "bar");
-    headless_.calm_down();
-    Document document = editor().document();
-    document.parameters.method = "paper";
-    for (const int vertex : {0, 12}) document = place_handle(document, {.vertex = vertex}).document;
-    document = with_targets(document, {{1, Vec2(2, 2.5)}});
-    editor().draft().begin_edit();
-    editor().draft().apply(document, Change::mesh);
-    editor().draft().commit("Bend");
-    ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
-    headless_.calm_down();
+    ASSERT_TRUE(bend_a_bar(headless_));
   }
   void race() {
     headless_.key(Key::m);
