@@ -102,7 +102,7 @@ std::shared_ptr<const Snapshot> adopted_pose(const std::shared_ptr<const Snapsho
 }
 
 std::shared_ptr<const Snapshot> with_looks_of(const Document& document,
-                                               std::shared_ptr<const Snapshot> pose) {
+                                              std::shared_ptr<const Snapshot> pose) {
   std::vector<Handle> handles = pose->handles;
   for (Handle& handle : handles)
     if (const Handle* now = find_handle(document, handle.id)) {
