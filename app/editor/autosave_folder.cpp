@@ -58,7 +58,7 @@ int locked(const fs::path& file, int flags) {
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::string& reason) {
-  throw Error(path.string() + ": copies of unsaved work cannot be kept here: " + reason);
+  throw Error(path.string() + ": cannot be written to: " + reason);
 }
 
 }  // namespace

@@ -101,11 +101,14 @@ std::shared_ptr<const Snapshot> adopted_pose(const std::shared_ptr<const Snapsho
   return pose;
 }
 
-std::shared_ptr<const Snapshot> with_depths_of(const Document& document,
-                                               std::shared_ptr<const Snapshot> pose) {
+std::shared_ptr<const Snapshot> with_looks_of(const Document& document,
+                                              std::shared_ptr<const Snapshot> pose) {
   std::vector<Handle> handles = pose->handles;
   for (Handle& handle : handles)
-    if (const Handle* now = find_handle(document, handle.id)) handle.depth = now->depth;
+    if (const Handle* now = find_handle(document, handle.id)) {
+      handle.depth = now->depth;
+      handle.name = now->name;
+    }
   if (handles == pose->handles) return pose;
   auto changed = std::make_shared<Snapshot>(*pose);
   changed->handles = std::move(handles);

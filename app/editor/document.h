@@ -64,9 +64,10 @@ std::shared_ptr<const Snapshot> pose_of(const MeshPair& mesh, const Shape& origi
 std::shared_ptr<const Snapshot> adopted_pose(const std::shared_ptr<const Snapshot>& snapshot,
                                              const Snapshot& previous);
 
-/// A pose whose handles have the depths that they have in the document, whenever it was made.
-std::shared_ptr<const Snapshot> with_depths_of(const Document& document,
-                                               std::shared_ptr<const Snapshot> pose);
+/// A pose whose handles have the names and depths that they have in the document, whenever it was
+/// made: the solver sees neither.
+std::shared_ptr<const Snapshot> with_looks_of(const Document& document,
+                                              std::shared_ptr<const Snapshot> pose);
 
 /// The handle with that id, or null.
 const Handle* find_handle(const Document& document, int id);

@@ -11,14 +11,15 @@ namespace foldless {
 UnsavedWork DocumentFiles::unsaved_work() const {
   const Document& document = draft_.document();
   return {document,
-          {path_, document.name},
+          {path(), document.name},
           std::make_shared<const nlohmann::json>(view_.json()),
           draft_.history().current_id()};
 }
 
 void DocumentFiles::update_autosave() {
   if (const std::string problem = autosave_.take_problem(); !problem.empty())
-    messages_.toast(ToastKind::error, problem);
+    messages_.toast(ToastKind::error,
+                    "No copy of unsaved work could be kept, so save it yourself: " + problem);
   if (recovery_.poll()) messages_.redraw();
   const bool is_unsaved = is_dirty() && !draft_.document().is_empty();
   if (autosave_.is_due(messages_.now(), is_unsaved ? &draft_.document() : nullptr,
@@ -42,9 +43,13 @@ void DocumentFiles::open_recovered() {
     texture_image_.adopt(work->document.texture, work->document.parts, image,
                          recovery_.texture_image().stamp());
   AutosaveFolder folder = recovery_.take();
+  // What another program saved after the copy was made is not replaced without a question.
+  std::optional<FileStamp> stamp = stamp_of(origin.path);
+  const std::optional<FileStamp> copy = stamp_of(folder.copies().front());
+  if (stamp && copy && stamp->time >= copy->time) stamp.reset();
   install(work->document, "Recover " + origin.name);
   if (work->view) view_.read(*work->view);
-  path_ = origin.path;
+  take_file(origin.path, stamp);
   saved_step_ = kNeverSaved;
   autosave_.adopt(std::move(folder));
   messages_.toast(ToastKind::notice, "Recovered as of " + time + "; it is not saved yet");

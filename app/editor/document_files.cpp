@@ -81,6 +81,7 @@ void DocumentFiles::close() { ask_or_perform({PendingKind::close, {}}); }
 
 void DocumentFiles::ask_or_perform(PendingAction action) {
   draft_.interrupt();
+  asks_to_overwrite_ = false;
   pending_ = std::move(action);
   is_asking_ = is_dirty();
   if (!is_asking_) perform_pending();
@@ -122,7 +123,7 @@ void DocumentFiles::load(const PendingAction& action) {
       open_scene(path);
     if (!action.texture.empty()) set_texture(action.texture);
     if (action.is_sample)
-      path_.clear();
+      file_.leave();
     else
       recent_.add(path);
   } catch (const std::exception& failure) {
@@ -140,10 +141,11 @@ void DocumentFiles::open_mesh(const std::filesystem::path& path) {
 }
 
 void DocumentFiles::open_scene(const std::filesystem::path& path) {
+  const std::optional<FileStamp> stamp = stamp_of(path);
   const auto [scene, notices] = load_scene(path, method_names());
   install(document_of(scene, path), "Open " + path.filename().string());
   if (scene.view) view_.read(*scene.view);
-  path_ = path;
+  take_file(path, stamp);
   for (const std::string& notice : notices) messages_.toast(ToastKind::notice, notice);
   if (scene.state) return;
   // Nothing is lost when the solver goes on from a scene without a state.
@@ -159,8 +161,19 @@ void DocumentFiles::install(const Document& document, const std::string& label) 
     view_.show_mesh(document.texture.empty());
   draft_.install(document, label);
   view_.fit_all();
-  path_.clear();
+  file_.leave();
+  asks_to_overwrite_ = false;
   mark_saved();
+}
+
+void DocumentFiles::take_file(const std::filesystem::path& file,
+                              const std::optional<FileStamp>& stamp) {
+  file_.take(file, stamp);
+  if (file_.is_shared())
+    messages_.toast(ToastKind::notice,
+                    file.filename().string() +
+                        " is open in another Foldless too; who saves second is asked before the "
+                        "work of the first is replaced");
 }
 
 void DocumentFiles::mark_saved() {
@@ -178,8 +191,18 @@ bool DocumentFiles::is_dirty() const {
 
 void DocumentFiles::save() {
   if (draft_.document().is_empty()) return;
-  if (path_.empty()) return messages_.request(Request::save_dialog);
-  save_as(path_);
+  if (path().empty()) return messages_.request(Request::save_dialog);
+  asks_to_overwrite_ = file_.has_changed();
+  if (asks_to_overwrite_) return messages_.redraw();
+  save_as(path());
+}
+
+void DocumentFiles::answer_overwrite(OverwriteAnswer answer) {
+  if (!std::exchange(asks_to_overwrite_, false)) return;
+  messages_.redraw();
+  if (answer == OverwriteAnswer::overwrite) save_as(path());
+  if (answer == OverwriteAnswer::save_as) messages_.request(Request::save_dialog);
+  if (answer == OverwriteAnswer::cancel) pending_.reset();
 }
 
 bool DocumentFiles::save_as(const std::filesystem::path& path) {
@@ -202,7 +225,7 @@ std::string DocumentFiles::try_save_as(const std::filesystem::path& path) {
   } catch (const std::exception& failure) {
     return failure.what();
   }
-  path_ = file;
+  file_.take(file, stamp_of(file));
   mark_saved();
   recent_.add(file);
   messages_.toast(
@@ -214,7 +237,7 @@ std::string DocumentFiles::try_save_as(const std::filesystem::path& path) {
 }
 
 std::string DocumentFiles::title() const {
-  const std::string name = path_.empty() ? draft_.document().name : path_.filename().string();
+  const std::string name = path().empty() ? draft_.document().name : path().filename().string();
   return (is_dirty() ? "\u25cf " : "") + (name.empty() ? "Untitled" : name);
 }
 

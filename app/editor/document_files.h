@@ -17,6 +17,7 @@
 #include "app/editor/race.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/recovery.h"
+#include "app/editor/scene_file.h"
 #include "app/editor/texture_image.h"
 
 namespace foldless {
@@ -30,6 +31,8 @@ struct PendingAction {
   std::filesystem::path texture = {};  ///< for what is opened; empty: its own
 };
 enum class Answer { save, discard, cancel };
+/// To the question whether to replace what another program wrote.
+enum class OverwriteAnswer { overwrite, save_as, cancel };
 
 /// Where a draft comes from and goes to: scene, mesh and image files, and whether it is saved.
 /// Never throws on bad files: it shows a toast.
@@ -63,14 +66,19 @@ class DocumentFiles {
   void close();
   const std::vector<std::filesystem::path>& recent() const { return recent_.paths(); }
 
+  /// Asks first where another program has written the file since it was opened or saved here.
   void save();
+  bool asks_to_overwrite() const { return asks_to_overwrite_; }
+  /// One of the two questions waits for its answer.
+  bool is_asking() const { return is_asking_ || asks_to_overwrite_; }
+  void answer_overwrite(OverwriteAnswer answer);
   /// Writes a scene file; `.json` is added where the name has no extension. False when that fails.
   bool save_as(const std::filesystem::path& path);
   /// As save_as(), but returns why it failed, empty when it did not, and shows no toast of that.
   /// What waits for the file to be saved goes on waiting, so that another path can be tried.
   std::string try_save_as(const std::filesystem::path& path);
   /// Of the scene file; empty: never saved.
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return file_.path(); }
   bool is_dirty() const;
   /// "scene.json" or the mesh's name, with "● " in front when there is something to save.
   std::string title() const;
@@ -122,6 +130,7 @@ class DocumentFiles {
   /// A new document, saved nowhere yet.
   void install(const Document& document, const std::string& label);
   void mark_saved();
+  void take_file(const std::filesystem::path& file, const std::optional<FileStamp>& stamp);
   UnsavedWork unsaved_work() const;
   void update_autosave();
   void open_recovered();
@@ -133,7 +142,8 @@ class DocumentFiles {
   Race& race_;
   Messages& messages_;
   RecentFiles recent_;
-  std::filesystem::path path_;
+  SceneFile file_;
+  bool asks_to_overwrite_ = false;
   static constexpr std::uint64_t kNeverSaved = 0;  ///< no step has this id
   std::uint64_t saved_step_ = kNeverSaved;
   std::shared_ptr<const Snapshot> saved_pose_;  ///< null: any, the file holds none

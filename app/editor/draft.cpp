@@ -121,7 +121,12 @@ void Draft::abandon_edit() {
 }
 
 void Draft::edit(std::string label, Document document, Change change) {
+  const std::shared_ptr<const Snapshot> newest = document_.pose;
   begin_edit();
+  if (document_.pose != newest && document.pose == newest) {
+    document.pose = document_.pose;
+    document.handles = document_.handles;
+  }
   apply(std::move(document), change);
   commit(std::move(label));
 }

@@ -79,7 +79,8 @@ class Draft {
   void commit(std::string label);
   /// Ends it with everything as it was.
   void abandon_edit();
-  /// A whole edit.
+  /// A whole edit. Where it leaves the pose as it was, and an earlier iteration is looked at, it
+  /// goes on from that one.
   void edit(std::string label, Document document, Change change);
   /// A whole edit that is one step with those of the same label just before it.
   void edit_again(const std::string& label, Document document, Change change);

@@ -48,7 +48,7 @@ void Playback::show(std::size_t index) {
   if (!snapshot)
     return messages_.toast(ToastKind::notice, "That iteration was let go to save memory");
   const Document& document = draft_.document();
-  draft_.look_at({index, with_depths_of(document, adopted_pose(snapshot, *document.pose))});
+  draft_.look_at({index, with_looks_of(document, adopted_pose(snapshot, *document.pose))});
 }
 
 void Playback::step_forward() {

@@ -30,6 +30,29 @@ void draw_unsaved_question(Editor& editor, const PanelContext& context) {
   end_dialog();
 }
 
+/// What was replaced does not come back: Enter saves beside it, and only a key of its own replaces.
+void draw_overwrite_question(Editor& editor, const PanelContext& context) {
+  const char* id = "##overwrite";
+  DocumentFiles& files = editor.files();
+  if (files.asks_to_overwrite() && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+  const Look& look = context.look;
+  if (!begin_dialog(id, look)) return;
+  if (!files.asks_to_overwrite()) ImGui::CloseCurrentPopup();
+  title_text("Overwrite what another program saved?", look);
+  ImGui::PushTextWrapPos(look.px(460));
+  dim_text(files.path().string() + " has changed since it was opened or saved here.", look);
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  const DialogKeys keys = dialog_keys();
+  if (main_button("Save as…", look) || keys.takes) files.answer_overwrite(OverwriteAnswer::save_as);
+  ImGui::SameLine();
+  if (ImGui::Button("Overwrite (O)") || takes_key(Key::o))
+    files.answer_overwrite(OverwriteAnswer::overwrite);
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel") || keys.leaves) files.answer_overwrite(OverwriteAnswer::cancel);
+  end_dialog();
+}
+
 void draw_about(const PanelContext& context) {
   const char* id = "##about";
   if (context.state.shows_about && !ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
@@ -59,6 +82,7 @@ void draw_about(const PanelContext& context) {
 void draw_dialogs(Editor& editor, const PanelContext& context) {
   UiState& state = context.state;
   draw_unsaved_question(editor, context);
+  draw_overwrite_question(editor, context);
   // Beside those two the canvas is looked at; other dialogs darken what they cover.
   const bool has_preview = preview_of(editor) && !editor.files().question();
   ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg].w = has_preview ? 0 : kDimmed;

@@ -56,5 +56,6 @@ void draw_cheat_sheet(Editor& editor, const PanelContext& context);
 void draw_message_log(Editor& editor, const PanelContext& context);
 void draw_about(const PanelContext& context);
 void draw_unsaved_question(Editor& editor, const PanelContext& context);
+void draw_overwrite_question(Editor& editor, const PanelContext& context);
 
 }  // namespace foldless

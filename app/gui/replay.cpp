@@ -18,12 +18,6 @@ constexpr double kFrameSeconds = 0.001;  ///< between frames that no event asks 
 constexpr int kMostFrames = 100;         ///< until the interface has nothing to do at once
 constexpr std::chrono::seconds kPatience{120};
 
-/// Something goes on that will change the picture by itself, and then end.
-bool is_busy(const Editor& editor, const Ui& ui) {
-  return ui.is_exporting() || editor.playback().is_solving() || editor.race().is_playing() ||
-         editor.files().texture_image().is_reading() || editor.files().image_import().is_busy();
-}
-
 class Player {
  public:
   Player(const SessionWindow& window, const std::filesystem::path& shots)
@@ -103,6 +97,11 @@ class Player {
 };
 
 }  // namespace
+
+bool is_busy(const Editor& editor, const Ui& ui) {
+  return ui.is_exporting() || editor.playback().is_solving() || editor.race().is_playing() ||
+         editor.files().texture_image().is_reading() || editor.files().image_import().is_busy();
+}
 
 Image picture_of_editor(const std::filesystem::path& file, Extent size,
                         std::optional<Theme> theme) {

@@ -10,6 +10,9 @@
 
 namespace foldless {
 
+class Editor;
+class Ui;
+
 /// How a session is replayed.
 struct ReplayOptions {
   std::filesystem::path session;
@@ -21,6 +24,9 @@ struct ReplayOptions {
 /// a picture of a window of `size` [pixels]. Throws Error where the file cannot be opened, or a
 /// window cannot have that size.
 Image picture_of_editor(const std::filesystem::path& file, Extent size, std::optional<Theme> theme);
+
+/// Something goes on that will change the picture by itself, and then end.
+bool is_busy(const Editor& editor, const Ui& ui);
 
 /// Plays a session in the whole editor off screen, with the settings that a new user has, and
 /// writes a picture of the window at every `shot`. Every event waits until the editor has come to

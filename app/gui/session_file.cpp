@@ -220,9 +220,13 @@ std::string as_array(const std::string& lines) {
 }  // namespace
 
 SessionFile read_session(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-  const JsonNode node = parse_json(as_array(read_file(path)), name);
+  return parse_session(read_file(path), path.string(),
+                       std::filesystem::absolute(path).parent_path());
+}
+
+SessionFile parse_session(const std::string& text, const std::string& name,
+                          const std::filesystem::path& folder) {
+  const JsonNode node = parse_json(as_array(text), name);
   const std::vector<JsonValue> lines = JsonValue(node, name).items();
   if (lines.empty() || !lines.front().find("session"))
     JsonValue(node, name)

@@ -51,6 +51,9 @@ struct SessionFile {
 
 /// Throws Error `FILE:LINE: ...` for what is no session.
 SessionFile read_session(const std::filesystem::path& path);
+/// As read_session() of a file of that name with this text; paths in it are relative to `folder`.
+SessionFile parse_session(const std::string& text, const std::string& name,
+                          const std::filesystem::path& folder);
 
 // Lines to write, with their ends.
 

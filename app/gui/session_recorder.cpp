@@ -36,7 +36,9 @@ void SessionRecorder::write(const std::string& line) {
   out_ << line << std::flush;
   if (out_) return;
   out_.close();
-  throw Error(path_.string() + ": what follows could not be recorded");
+  throw Error(path_.string() +
+              ": recording has ended here, as what follows could not be "
+              "written; make room there and begin again");
 }
 
 }  // namespace foldless

@@ -10,7 +10,6 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/scene_document.h"
-#include "core/error.h"
 #include "core/files/atomic_file.h"
 
 namespace foldless {
@@ -99,11 +98,7 @@ void save_settings(const std::filesystem::path& file, const Settings& settings) 
     json["workspace"] = *settings.workspace == Workspace::animate ? "animate" : "lab";
   if (settings.pace) json["pace"] = *settings.pace;
   if (settings.layers) json["layers"] = layers_json(*settings.layers);
-  try {
-    write_file_atomically(file, json.dump(2) + "\n");
-  } catch (const Error&) {
-    // They last for the session.
-  }
+  write_file_atomically(file, json.dump(2) + "\n");
 }
 
 }  // namespace foldless

@@ -44,7 +44,7 @@ std::filesystem::path settings_file(const std::filesystem::path& state_folder);
 /// Reads settings; what is missing or cannot be read takes its default.
 Settings load_settings(const std::filesystem::path& file);
 
-/// Writes settings; a folder that cannot be written to is no error, they last for the session.
+/// Writes settings, and makes their folder if need be. Throws Error when that fails.
 void save_settings(const std::filesystem::path& file, const Settings& settings);
 
 }  // namespace foldless

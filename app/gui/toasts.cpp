@@ -23,7 +23,8 @@ float draw_toast(const Toast& toast, const ImVec2& corner, Editor& editor, const
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0F, look.px(1)));
   ImGui::Begin(("##toast" + std::to_string(toast.id)).c_str(), nullptr, kToast);
-  ImGui::PushTextWrapPos(look.px(360));
+  ImGui::PushTextWrapPos(
+      std::min(look.px(360), corner.x - look.px(32)));  // the window may be small
   if (is_error) {
     ImGui::TextColored(look.palette->warning, "▲");
     ImGui::SameLine();

@@ -21,6 +21,7 @@
 #include "app/gui/race_layout.h"
 #include "app/gui/requests.h"
 #include "app/gui/scenes.h"
+#include "app/gui/settings_keeper.h"
 #include "app/gui/start_screen.h"
 #include "app/gui/thumbnails.h"
 #include "app/gui/tooltips.h"
@@ -32,12 +33,11 @@ namespace {
 
 /// ImGui lays out what it met for the first time one frame later, and popups two.
 constexpr int kSettlingFrames = 3;
-constexpr double kSettingsRestSeconds = 0.5;
 constexpr double kLookSeconds = 0.03;  ///< between looks at files read and written
 
 /// What the editor shows without being asked to by an event.
 struct News {
-  bool asks = false;       ///< about unsaved changes
+  bool asks = false;       ///< before something is lost
   std::size_t toasts = 0;  ///< messages on screen
   bool previews = false;   ///< something else than the document
   std::string words;       ///< on that
@@ -61,6 +61,8 @@ struct ImGuiOwner {
 }  // namespace
 
 struct Ui::Parts {
+  explicit Parts(UiOptions given) : options(std::move(given)) {}
+
   UiOptions options;
   ImGuiOwner imgui;
   UiRenderer ui_renderer;
@@ -72,8 +74,7 @@ struct Ui::Parts {
   InputFeed feed;
   CanvasInput canvas_input;
   UiState state;
-  Settings known_settings;            ///< of the last frame
-  std::optional<double> saves_after;  ///< when they are to be written [s]
+  SettingsKeeper settings_keeper{options.state_folder};
   Tooltips tooltips;
   Appearance appearance{ui_renderer, tooltips};
   Layout layout;
@@ -86,10 +87,9 @@ struct Ui::Parts {
 
   void connect_clipboard();
   void follow_appearance(const Editor& editor, float content_scale);
-  void follow_settings();
+  void follow_settings(Editor& editor);
   void remember(const Editor& editor);
   SidePanels panels(const Editor& editor) const;
-  void save();
 };
 
 void Ui::Parts::connect_clipboard() {
@@ -124,20 +124,8 @@ SidePanels Ui::Parts::panels(const Editor& editor) const {
   return state.workspace == Workspace::animate ? SidePanels::one : SidePanels::two;
 }
 
-/// What changes from frame to frame, as the size of a window, is written when it has come to rest.
-void Ui::Parts::follow_settings() {
-  if (saves_after && time >= *saves_after) save();
-  if (state.settings == known_settings) return;
-  known_settings = state.settings;
-  settling = kSettlingFrames;
-  saves_after = time + kSettingsRestSeconds;
-}
-
-void Ui::Parts::save() {
-  if (!saves_after) return;
-  saves_after.reset();
-  if (!options.state_folder.empty())
-    save_settings(settings_file(options.state_folder), state.settings);
+void Ui::Parts::follow_settings(Editor& editor) {
+  if (settings_keeper.follow(state.settings, editor.messages())) settling = kSettlingFrames;
 }
 
 /// What the user changes elsewhere than in the settings.
@@ -148,8 +136,7 @@ void Ui::Parts::remember(const Editor& editor) {
     state.settings.layers = editor.view().options().layers;
 }
 
-Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
-  parts_->options = std::move(options);
+Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>(std::move(options))) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
@@ -157,13 +144,11 @@ Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
   InputFeed::map_keys(io);
   parts_->connect_clipboard();
-  if (!parts_->options.state_folder.empty())
-    parts_->state.settings = load_settings(settings_file(parts_->options.state_folder));
-  parts_->known_settings = parts_->state.settings;
+  parts_->state.settings = parts_->settings_keeper.load();
   parts_->state.samples = find_samples();
 }
 
-Ui::~Ui() { parts_->save(); }
+Ui::~Ui() { parts_->settings_keeper.end(); }
 
 void Ui::restore(Editor& editor) const {
   const Settings& settings = parts_->state.settings;
@@ -195,7 +180,7 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   editor.update(spec.time);
   const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
   const auto preview = preview_of(editor);
-  const News news{editor.files().question() != nullptr, editor.messages().toasts().size(),
+  const News news{editor.files().is_asking(), editor.messages().toasts().size(),
                   preview.has_value(), preview ? preview->words : ""};
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order())
@@ -204,7 +189,7 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   const bool has_drawn = draw_frame(editor, spec);
   p.has_thumbnails_to_make = editor.document().is_empty() && p.thumbnails.update();
   p.remember(editor);
-  p.follow_settings();
+  p.follow_settings(editor);
   if (p.tooltips.has_appeared()) p.settling = kSettlingFrames;
   p.settling = std::max(0, p.settling - 1);
   return has_drawn;
@@ -292,7 +277,7 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
   if (parts_->settling > 0 || !parts_->feed.is_empty()) return 0.0;
   std::optional<double> next;
   if (const auto wake = editor.next_wake()) next = std::max(0.0, *wake - now);
-  for (const auto& due : {parts_->saves_after, parts_->tooltips.due()})
+  for (const auto& due : {parts_->settings_keeper.due(), parts_->tooltips.due()})
     if (due) next = std::max(0.0, std::min(next.value_or(*due - now), *due - now));
   if (parts_->has_thumbnails_to_make || is_exporting())
     next = std::min(next.value_or(1), kLookSeconds);

@@ -26,8 +26,23 @@ std::string reason(int error) { return std::generic_category().message(error); }
   throw Error(file.string() + ": cannot be read: " + reason(error));
 }
 
+/// What to do about a file that cannot be written; empty where that is another matter each time.
+const char* advice(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT: return "; make room there, or choose another folder";
+    case EFBIG:
+    case EROFS:
+    case EACCES:
+    case EPERM:
+    case ENOTDIR:
+    case ENOENT: return "; choose another folder";
+    default: return "";
+  }
+}
+
 [[noreturn]] void refuse_writing(const fs::path& file, int error) {
-  throw Error(file.string() + ": cannot be written: " + reason(error));
+  throw Error(file.string() + ": cannot be written: " + reason(error) + advice(error));
 }
 
 /// An open file that is closed when it goes out of scope.

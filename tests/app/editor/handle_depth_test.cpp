@@ -116,9 +116,11 @@ TEST_F(HandleDepth, OfAnEarlierIterationIsThatOfNow) {
   ASSERT_TRUE(editor_->playback().can_scrub());
   editor_->selection().select({right_});
   set_depth(*editor_, 7);
+  set_name(*editor_, "hand");
   editor_->playback().scrub(0);
   ASSERT_TRUE(editor_->playback().scrubbed()) << "one iteration was enough";
   EXPECT_EQ(editor_->shown()->handles[1].depth, 7);
+  EXPECT_EQ(editor_->shown()->handles[1].name, "hand");
   const Points shown = editor_->shown()->deformed;
   set_depth(*editor_, 8);
   EXPECT_EQ(depth(right_), 8);

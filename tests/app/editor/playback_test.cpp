@@ -2,6 +2,10 @@
 // Iterations played as a film.
 #include "app/editor/playback.h"
 
+#include <functional>
+
+#include "app/editor/parameter_rows.h"
+#include "core/energy/densities.h"
 #include "tests/app/editor/editor_fixture.h"
 
 namespace foldless::test {
@@ -90,6 +94,32 @@ TEST_F(Film, IsNotThereWithoutIterations) {
   open_grid(4);
   key(Key::p);
   EXPECT_FALSE(playback().is_playing());
+}
+
+TEST_F(Film, AnEditThatIsNotAboutThePoseKeepsTheIterationOnScreen) {
+  const TemporaryFolder folder;
+  const auto picture = folder.write("a.png", "no image, but a file");
+  const std::vector<std::function<void()>> edits{
+      [&] { editor_->edits().set_energy(*find_density("symmetric-dirichlet")); },
+      [&] { editor_->edits().set_parameter(*find_parameter_row("alpha"), 1e6); },
+      [&] { editor_->files().set_texture(picture); },
+      [&] {
+        editor_->brush().press(editor_->canvas(), pixel_of_vertex(24), false);
+        editor_->brush().release();
+      }};
+  for (std::size_t k = 0; k < edits.size(); ++k) {
+    SCOPED_TRACE(k);
+    const Vec2 from = pixel_of_handle(1);
+    drag(from, from + Vec2(k % 2 ? 70 : -90, k % 2 ? -80 : 110));
+    settle();
+    editor_->playback().scrub(0);
+    ASSERT_TRUE(editor_->playback().scrubbed());
+    const Points shown = editor_->shown()->deformed;
+    const std::size_t steps = editor_->draft().history().steps().size();
+    edits[k]();
+    ASSERT_EQ(editor_->draft().history().steps().size(), steps + 1);
+    EXPECT_EQ(editor_->document().pose->deformed, shown);
+  }
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <thread>
 
+#include "app/gui/replay.h"
+#include "app/gui/session_file.h"
 #include "tests/app/gui/drawing_defects.h"
 
 namespace foldless::test {
@@ -102,6 +104,21 @@ void HeadlessEditor::key(Key key, Modifiers modifiers) {
 void HeadlessEditor::type(std::string_view ascii) {
   for (const char c : ascii) ui_.receive(CharacterTyped{static_cast<char32_t>(c)});
   settle();
+}
+
+std::map<std::string, Image> HeadlessEditor::play(const std::string& lines) {
+  const std::string head = first_line({size_, size_}, {}, {});
+  const SessionFile session = parse_session(head + lines, "session", {});
+  const double start = time_;
+  std::map<std::string, Image> pictures;
+  for (const SessionEntry& entry : session.entries) {
+    time_ = std::max(time_, start + entry.time);
+    if (const auto* event = std::get_if<UiEvent>(&entry.event)) ui_.receive(*event);
+    settle();
+    EXPECT_TRUE(wait_until([this] { return !is_busy(editor_, ui_); })) << "line " << entry.line;
+    if (const auto* shot = std::get_if<Shot>(&entry.event)) pictures[shot->name] = picture();
+  }
+  return pictures;
 }
 
 Vec2 HeadlessEditor::window_point(const Vec2& world) const {

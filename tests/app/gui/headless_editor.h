@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -46,6 +47,10 @@ class HeadlessEditor {
   void click(const Vec2& at);
   void key(Key key, Modifiers modifiers = {});
   void type(std::string_view ascii);
+
+  /// Plays the lines of a session after its first, see SessionFile; every event waits until the
+  /// editor has come to rest. Returns its pictures by their names.
+  std::map<std::string, Image> play(const std::string& lines);
 
   /// Where a point of the mesh's plane is in the window.
   Vec2 window_point(const Vec2& world) const;

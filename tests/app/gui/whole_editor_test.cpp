@@ -100,12 +100,18 @@ TEST_F(WholeEditor, PlacesDragsConvergesUndoesRedoesSavesAndReloads) {
   const Image bent_picture = headless_.canvas_picture();
   EXPECT_GT(differing_pixels(placed, bent_picture), 5000) << "the mesh should have moved";
 
-  headless_.key(Key::z, kControl);
+  headless_.play(R"({"held": ["ctrl"]}
+{"key": "Z", "held": ["ctrl"]}
+{"key_up": "Z"}
+{"held": []})");
   headless_.calm_down();
   EXPECT_EQ(editor().shown()->deformed, before);
   EXPECT_EQ(differing_pixels(headless_.canvas_picture(), placed), 0);
 
-  headless_.key(Key::z, kControlShift);
+  headless_.play(R"({"held": ["shift", "ctrl"]}
+{"key": "Z", "held": ["shift", "ctrl"]}
+{"key_up": "Z"}
+{"held": []})");
   headless_.calm_down();
   EXPECT_EQ(editor().shown()->deformed, bent);
   EXPECT_EQ(differing_pixels(headless_.canvas_picture(), bent_picture), 0);
@@ -178,10 +184,17 @@ TEST_F(WholeEditor, ClicksOnPanelsDoNotReachTheCanvas) {
 
 TEST_F(WholeEditor, AsksBeforeUnsavedChangesAreLost) {
   place_two_handles();
-  headless_.key(Key::q, kControl);
+  const auto shots = headless_.play(R"({"shot": "before"}
+{"held": ["ctrl"]}
+{"key": "Q", "held": ["ctrl"]}
+{"key_up": "Q"}
+{"held": []}
+{"shot": "asked"})");
+  EXPECT_GT(differing_pixels(shots.at("before"), shots.at("asked")), 10000);
   EXPECT_FALSE(headless_.ui().wants_to_quit());
   ASSERT_NE(editor().files().question(), nullptr);
-  headless_.key(Key::escape);
+  headless_.play(R"({"key": "Esc"}
+{"key_up": "Esc"})");
   EXPECT_EQ(editor().files().question(), nullptr);
   EXPECT_FALSE(headless_.ui().wants_to_quit());
   EXPECT_EQ(editor().document().handles.size(), 2U);
@@ -198,8 +211,10 @@ TEST_F(WholeEditor, ShowsTheQuestionThoughNoEventFollowsTheCloseButton) {
 TEST_F(WholeEditor, WritesNumberedPicturesOfTheCanvas) {
   place_two_handles();
   save_by_keyboard(folder_ / "shot.json");
-  headless_.key(Key::f12);
-  headless_.key(Key::f12);
+  headless_.play(R"({"key": "F12"}
+{"key_up": "F12"}
+{"t": 1, "key": "F12"}
+{"t": 1.1, "key_up": "F12"})");
   const Image picture = load_image(folder_ / "shot-0002.png");
   EXPECT_EQ(picture.width, editor().canvas().width);
   EXPECT_EQ(picture.height, editor().canvas().height);
@@ -208,10 +223,14 @@ TEST_F(WholeEditor, WritesNumberedPicturesOfTheCanvas) {
 }
 
 TEST_F(WholeEditor, FindsAndRunsACommandByItsLetters) {
-  headless_.key(Key::k, kControl);
-  headless_.type("heat map");
+  headless_.play(R"({"held": ["ctrl"]}
+{"key": "K", "held": ["ctrl"]}
+{"key_up": "K"}
+{"held": []}
+{"type": "heat map"})");
   EXPECT_FALSE(editor().view().options().layers.heat) << "typing must not switch layers";
-  headless_.key(Key::enter);
+  headless_.play(R"({"key": "Enter"}
+{"key_up": "Enter"})");
   EXPECT_TRUE(editor().view().options().layers.heat);
 }
 
