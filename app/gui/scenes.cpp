@@ -99,7 +99,7 @@ void Scenes::draw_document(Editor& editor, const Layout& layout, Extent framebuf
   }
   view.viewport = viewport_of(layout.canvas, framebuffer);
   if (editor.comparison().is_held()) return draw_other_pose(editor, view, options);
-  if (editor.brush().is_on()) view.stiffness = editor.brush().factors();
+  if (editor.brush().is_tinted()) view.stiffness = editor.brush().factors();
   canvas_.draw(shown, view, options);
   heat_range_ = canvas_.heat_range();
 }

@@ -20,6 +20,7 @@ struct HandleDrag {
   Vec2 from = Vec2::Zero();    ///< where the button went down [world]
   std::vector<Target> starts;  ///< targets when it did
   std::string label;           ///< of the undo step
+  Document before;             ///< as it was then
 };
 
 /// Moves targets with the pointer until the left button is released. Precondition: begin_edit().

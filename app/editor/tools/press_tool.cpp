@@ -104,7 +104,7 @@ class PressTool final : public Tool {
   std::unique_ptr<Tool> drag_selection(Editor& editor, std::string label) {
     editor.draft().solving().clear_timeline();
     const Document& document = editor.document();
-    HandleDrag drag{editor.canvas().to_world(event_.position), {}, std::move(label)};
+    HandleDrag drag{editor.canvas().to_world(event_.position), {}, std::move(label), document};
     for (const int id : editor.selection().ids()) {
       const Handle& handle = *find_handle(document, id);
       const bool from_dot = handle_ && handle_->id == id && !handle_->is_target;
