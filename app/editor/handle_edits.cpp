@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/editor/bones.h"
 #include "app/editor/editor.h"
+#include "app/editor/mirroring.h"
 
 namespace foldless {
 namespace {
@@ -112,7 +112,7 @@ void set_coordinate(Editor& editor, int axis, double value) {
   editor.draft().solving().clear_timeline();
   editor.draft().edit(
       "Move handles",
-      with_targets(editor.document(), with_bones(editor.document(), std::move(targets))),
+      with_targets(editor.document(), with_rig(editor, editor.document(), std::move(targets))),
       Change::targets);
 }
 
@@ -146,7 +146,7 @@ void nudge(Editor& editor, const Vec2& direction) {
   std::vector<Target> targets = selected_targets(editor);
   for (Target& target : targets) target.position += nudge_length(editor) * direction;
   editor.draft().solving().clear_timeline();
-  targets = with_bones(editor.document(), std::move(targets));
+  targets = with_rig(editor, editor.document(), std::move(targets));
   editor.draft().edit_again("Nudge", with_targets(editor.document(), targets), Change::targets);
 }
 

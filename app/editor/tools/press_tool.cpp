@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/editor/editor.h"
+#include "app/editor/mirroring.h"
 #include "app/editor/picking.h"
 #include "app/editor/tools/gestures.h"
 #include "app/editor/turning.h"
@@ -10,11 +11,17 @@
 namespace foldless {
 namespace {
 
-/// Puts a handle under a pixel and selects it, between begin_edit() and commit(). Returns whether
-/// the document changed.
+/// Puts a handle under a pixel, another at its mirror image, and selects the first, between
+/// begin_edit() and commit(). Returns whether the document changed.
 bool place_at(Editor& editor, const MeshHit& hit) {
   Placed placed = place_handle(editor.document(), hit);
-  if (placed.is_new) editor.draft().apply(std::move(placed.document), Change::mesh);
+  if (placed.is_new) {
+    MirrorImage both = with_mirror_image(editor, std::move(placed.document), placed.id);
+    if (both.is_beside_mesh)
+      editor.messages().toast(ToastKind::notice,
+                              "Its mirror image would lie beside the mesh: one handle was placed");
+    editor.draft().apply(std::move(both.document), Change::mesh);
+  }
   editor.selection().select({placed.id});
   return placed.is_new;
 }

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "app/editor/bones.h"
 #include "app/editor/editor.h"
+#include "app/editor/mirroring.h"
 #include "app/editor/tools/gestures.h"
 
 namespace foldless {
@@ -119,7 +119,7 @@ class TransformTool final : public Tool {
       if (target.angle && what_ == Transformation::turn) *target.angle += shown_;
     }
     if (!before_) before_ = editor.document();
-    targets = with_bones(*before_, std::move(targets));
+    targets = with_rig(editor, *before_, std::move(targets));
     editor.draft().apply(with_targets(editor.document(), targets), Change::targets);
   }
 
