@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/editor/bones.h"
 #include "app/gui/canvas_brush.h"
@@ -9,9 +10,9 @@ namespace foldless {
 namespace {
 
 /// What is left free for the marks of the handles, and how wide a bone is. [design pixels]
-constexpr double kMark = 7, kHalfWidth = 6;
+constexpr double kMark = 9, kHalfWidth = 8;
 /// Where it is widest, and how wide a short one may be there. [parts of its length]
-constexpr double kShoulder = 0.22, kMostHalfWidth = 0.16;
+constexpr double kShoulder = 0.22, kMostHalfWidth = 0.18;
 
 /// A kite from a joint to the next, in pixels of the canvas: white in black is seen on every
 /// colour.
@@ -27,8 +28,10 @@ void draw_bone(const Vec2& from, const Vec2& to, const CanvasBrush& brush, const
                                    brush.at(begin + length * along),
                                    brush.at(shoulder - half * across)};
   brush.list.AddConvexPolyFilled(kite.data(), 4, IM_COL32(255, 255, 255, 110));
-  brush.list.AddPolyline(kite.data(), 4, IM_COL32_BLACK, ImDrawFlags_Closed, look.px(3.6F));
-  brush.list.AddPolyline(kite.data(), 4, IM_COL32_WHITE, ImDrawFlags_Closed, look.px(1.6F));
+  // Side by side: a line round it would have long spikes at the sharp ends.
+  for (const auto& [colour, width] : {std::pair{IM_COL32_BLACK, 3.6F}, {IM_COL32_WHITE, 1.6F}})
+    for (std::size_t i = 0; i < kite.size(); ++i)
+      brush.list.AddLine(kite[i], kite[(i + 1) % kite.size()], colour, look.px(width));
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
 #include "app/editor/mirroring.h"
 #include "app/gui/canvas_brush.h"
 
