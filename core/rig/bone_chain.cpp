@@ -45,10 +45,16 @@ Points with_lengths(const Points& joints, const Eigen::VectorXd& lengths) {
   return result;
 }
 
-/// Turns the joints from `first` on about a point and moves them so that it comes to another.
-void carry(Points& joints, Eigen::Index first, const Vec2& from, const Vec2& to, const Mat2& turn) {
+/// A turn about a point, which comes to another.
+struct RigidMotion {
+  Vec2 from, to;
+  Mat2 turn;
+};
+
+/// Moves the joints from `first` on.
+void carry(Points& joints, Eigen::Index first, const RigidMotion& motion) {
   for (Eigen::Index i = first; i < joints.cols(); ++i)
-    joints.col(i) = to + turn * (joints.col(i) - from);
+    joints.col(i) = motion.to + motion.turn * (joints.col(i) - motion.from);
 }
 
 /// A section of a chain that its last joint is moved of: where it begins, how long its bones are,
@@ -88,7 +94,7 @@ void close_at(Points& joints, Eigen::Index m, const Reach& reach) {
     joints.col(i) = reach.root + first * (joints.col(i) - reach.root);
   joints.col(m) = reach.root + first * (elbow - reach.root);
   const Vec2 now = joints.col(m);
-  carry(joints, m + 1, elbow, now, second);
+  carry(joints, m + 1, {elbow, now, second});
 }
 
 /// Closes what FABRIK leaves, at the joint that has the most to spare.
@@ -172,8 +178,8 @@ Points seed_of(const BoneChain& section, const Reach& reach) {
   const Vec2 root = seed.col(0);
   const Vec2 way = seed.col(seed.cols() - 1) - root;
   const bool has_direction = way.norm() > kNear * reach.whole;
-  carry(seed, 0, root, reach.root,
-        has_direction ? rotation(way, reach.direction) : Mat2::Identity());
+  const Mat2 turn = has_direction ? rotation(way, reach.direction) : Mat2(Mat2::Identity());
+  carry(seed, 0, {root, reach.root, turn});
   return seed;
 }
 
@@ -215,7 +221,8 @@ Points with_moved_joints(const BoneChain& chain, std::span<const MovedJoint> mov
     const Vec2 before = joints.col(joint), bone = before - joints.col(joint - 1);
     joints.middleCols(anchor, count) = solved;
     const Vec2 after = joints.col(joint);
-    carry(joints, joint + 1, before, after, rotation(bone, after - joints.col(joint - 1)));
+    const Mat2 turn = rotation(bone, after - joints.col(joint - 1));
+    carry(joints, joint + 1, {before, after, turn});
     anchor = joint;
   }
   return joints;
