@@ -19,6 +19,14 @@ struct Turn {
   bool operator==(const Turn&) const = default;
 };
 
+/// The mesh round a handle is so many times as stiff, within a radius at rest.
+struct StiffDisk {
+  double factor = 1;  ///< on the energy, > 0
+  double radius = 0;  ///< > 0 [length]
+
+  bool operator==(const StiffDisk&) const = default;
+};
+
 /// A constrained vertex and where it should go, in input units.
 struct Handle {
   int id = 0;                          ///< stable name, unique in a scene
@@ -27,8 +35,9 @@ struct Handle {
   HandleKind kind = HandleKind::drag;  ///< `soft` handles are weighted and need not be met
   double weight = 1;                   ///< factor on α, used for soft handles only
   double depth = 0;                    ///< the larger is in front where the mesh overlaps itself
-  std::optional<Turn> turn = std::nullopt;  ///< absent: the mesh round it is free to turn
-  std::string name = {};                    ///< what the user calls it; may be empty
+  std::optional<Turn> turn = std::nullopt;        ///< absent: the mesh round it is free to turn
+  std::string name = {};                          ///< what the user calls it; may be empty
+  std::optional<StiffDisk> stiff = std::nullopt;  ///< absent: as stiff as without the handle
 
   bool operator==(const Handle&) const = default;
 };

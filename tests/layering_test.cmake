@@ -50,7 +50,7 @@ function(only_in files token what)
   set(VIOLATIONS "${VIOLATIONS}" PARENT_SCOPE)
 endfunction()
 
-# 1 and 2. What core may see, a layer at a time: mesh <- {files, depth}; linear <- cone;
+# 1 and 2. What core may see, a layer at a time: mesh <- {files, depth, rig}; linear <- cone;
 # {mesh, linear} <- energy <- {solve, remesh <- multires <- construct, scene} <- method <- run.
 set(BASE "${PLAIN}|${CORE}|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
 set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
@@ -58,11 +58,12 @@ set(FILES "${MESH}|core/files/.*")
 set(LINEAR "${BASE}|core/linear/.*")
 set(ENERGY "${MESH}|core/linear/sparse_symmetric\\.h|core/energy/.*")
 set(REMESH "${ENERGY}|core/remesh/.*")
-set(SCENE "${ENERGY}|core/files/.*|core/scene/.*")
+set(SCENE "${ENERGY}|core/(files|scene)/.*|core/rig/(mirror_axis|rig)\\.h")
 set(METHOD "${REMESH}|core/(solve|multires|construct|cone|method)/.*|core/scene/parameters\\.h")
 may_include("core/mesh/.*" "${MESH}|<CGAL/.*>")
 may_include("core/files/.*" "${FILES}|<CGAL/.*>")
 may_include("core/depth/.*" "${MESH}|core/depth/.*")
+may_include("core/rig/.*" "${MESH}|core/rig/.*")
 may_include("core/linear/.*" "${LINEAR}|<(suitesparse/)?cholmod\\.h>")
 may_include("core/cone/.*" "${LINEAR}|core/cone/.*")
 may_include("core/energy/.*" "${ENERGY}")

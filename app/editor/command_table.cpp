@@ -3,8 +3,10 @@
 
 #include <array>
 
+#include "app/editor/bones.h"
 #include "app/editor/editor.h"
 #include "app/editor/handle_edits.h"
+#include "app/editor/mirroring.h"
 #include "app/editor/turning.h"
 
 namespace foldless {
@@ -182,6 +184,13 @@ std::vector<Command> handle_commands() {
       {"handle.move", "Handles", "Move handles", {{Key::v, kNone}}, has_mesh, [](Editor& e) { if (e.brush().is_on()) e.brush().toggle(); }, [](const Editor& e) { return !e.brush().is_on(); }},
       {"stiffness.paint", "Handles", "Paint stiffness", {{Key::b, kNone}}, has_mesh, call<&StiffnessBrush::toggle>, [](const Editor& e) { return e.brush().is_on(); }},
       {"stiffness.clear", "Handles", "Remove all stiffness", {}, [](const Editor& e) { return e.brush().can_clear(); }, call<&StiffnessBrush::clear>},
+      {"bones.make", "Handles", "Make bones", {{Key::j, kNone}}, can_make_bones, make_bones},
+      {"bones.remove", "Handles", "Take bones apart", {{Key::j, kShift}}, can_take_bones_apart, take_bones_apart},
+      {"mirror.toggle", "Handles", "Mirror", {{Key::x, kNone}}, has_mesh, toggle_mirror, is_mirror_on},
+      {"mirror.pose", "Handles", "Pose mirrored", {{Key::x, kShift}}, has_selection, pose_mirrored},
+      {"mirror.find", "Handles", "Find the mirror axis", {}, has_mesh, find_mirror_axis},
+      {"mirror.upright", "Handles", "Upright mirror axis", {}, has_mesh, set_upright_mirror},
+      {"mirror.level", "Handles", "Level mirror axis", {}, has_mesh, set_level_mirror},
       {"handle.forward", "Handles", "Bring forward", {{Key::right_bracket, kNone}}, has_selection, bring_forward},
       {"handle.back", "Handles", "Send back", {{Key::left_bracket, kNone}}, has_selection, send_back},
   };

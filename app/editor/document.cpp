@@ -62,7 +62,7 @@ Document document_of(Shape shape, std::string name) {
 MeshPair mesh_of(const Document& document) {
   const Snapshot& pose = *document.pose;
   MeshPair mesh(*pose.triangles, *pose.rest, pose.deformed);
-  mesh.set_stiffness(document.stiffness);
+  mesh.set_stiffness(stiffness_with(document.stiffness, document.handles, *pose.rest));
   return mesh;
 }
 
@@ -152,7 +152,7 @@ bool is_at_targets(const Document& document) {
 
 bool is_same_content(const Document& a, const Document& b) {
   return is_equal(a.original, b.original) && is_equal(a.pose, b.pose) && a.handles == b.handles &&
-         is_equal(a.stiffness, b.stiffness) && a.energy == b.energy &&
+         a.rig == b.rig && is_equal(a.stiffness, b.stiffness) && a.energy == b.energy &&
          a.parameters == b.parameters && a.texture == b.texture && a.texture_box == b.texture_box &&
          is_equal(a.parts, b.parts);
 }

@@ -33,6 +33,7 @@ struct Document {
   std::shared_ptr<const Stiffness> stiffness;  ///< of the rest plane; null: 1 everywhere
   std::vector<Handle> handles;                 ///< in the solver's order; vertices of `pose`
   int next_handle_id = 0;                      ///< ids are never used twice
+  Rig rig;                                     ///< of the handles
   const Density* energy = nullptr;             ///< a row of densities(), never null
   Parameters parameters;
   std::filesystem::path texture;           ///< absolute path of an image; empty: checkerboard

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/editor/bones.h"
 #include "app/editor/insert_vertex.h"
 
 namespace foldless {
@@ -72,6 +73,7 @@ Document with_targets(Document document, const std::vector<Target>& targets) {
 
 Document without_handles(Document document, const std::set<int>& ids) {
   std::erase_if(document.handles, [&](const Handle& h) { return ids.contains(h.id); });
+  document.rig.bones = bones_of(std::move(document.rig.bones), document.handles);
   return document;
 }
 
@@ -88,6 +90,7 @@ Document in_rest_pose(const Document& document) {
     if (handle.turn) handle.turn->angle = 0;
     if (!handle_at_vertex(at_rest, handle.vertex)) at_rest.handles.push_back(handle);
   }
+  at_rest.rig.bones = bones_of(std::move(at_rest.rig.bones), at_rest.handles);
   at_rest.pose = pose_of(mesh, original);
   return at_rest;
 }

@@ -30,7 +30,7 @@ struct Target {
 /// The document with some targets moved and turned; ids it does not have are passed over.
 Document with_targets(Document document, const std::vector<Target>& targets);
 
-/// The document without some handles. The mesh stays as it is.
+/// The document without some handles: their bones become shorter. The mesh stays as it is.
 Document without_handles(Document document, const std::set<int>& ids);
 
 /// The undeformed original mesh with the same handles, their targets where they are at rest.

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "app/editor/editor.h"
+#include "app/editor/mirroring.h"
 
 namespace foldless {
 namespace {
 
 constexpr double kMostDepth = 1000;
+constexpr double kStiffReach = 0.1;  // of the diagonal
 constexpr double kLeastWeight = 1e-3, kMostWeight = 1e3;
 
 /// What all agree in: nothing as soon as one differs.
@@ -51,6 +53,9 @@ SelectedHandles selected_handles(const Editor& editor) {
     agree(selected.y, handle.target.y(), is_first);
     agree(selected.turns, handle.turn.has_value(), is_first);
     agree(selected.angle, handle.turn.value_or(Turn{}).angle, is_first);
+    const StiffDisk stiff = handle.stiff.value_or(StiffDisk{});
+    agree(selected.stiffness, stiff.factor, is_first);
+    agree(selected.stiff_radius, stiff.radius, is_first);
     agree(selected.radius, handle.turn.value_or(Turn{}).radius, is_first);
   }
   return selected;
@@ -98,8 +103,37 @@ void set_name(Editor& editor, const std::string& name) {
 
 void set_coordinate(Editor& editor, int axis, double value) {
   if (!std::isfinite(value)) return;
-  editor.edits().change_selected("Move handles", Change::targets,
-                                 [=](Handle& handle) { handle.target[axis] = value; });
+  editor.draft().interrupt();
+  std::vector<Target> targets = selected_targets(editor);
+  for (Target& target : targets) target.position[axis] = value;
+  const Document moved = with_targets(editor.document(), targets);
+  if (moved.handles == editor.document().handles) return;
+  editor.playback().use_iteration();  // what is looked at is what is moved
+  editor.draft().solving().clear_timeline();
+  editor.draft().edit(
+      "Move handles",
+      with_targets(editor.document(), with_rig(editor, editor.document(), std::move(targets))),
+      Change::targets);
+}
+
+void set_stiffness(Editor& editor, double factor) {
+  if (!std::isfinite(factor)) return;
+  factor = std::clamp(factor, StiffnessBrush::kLeastFactor, StiffnessBrush::kLargestFactor);
+  if (editor.document().is_empty()) return;
+  const Points& rest = editor.document().original->rest;
+  const double diagonal = (rest.rowwise().maxCoeff() - rest.rowwise().minCoeff()).norm();
+  editor.edits().change_selected("Stiffness of handle", Change::mesh, [=](Handle& handle) {
+    const double radius = handle.stiff ? handle.stiff->radius : kStiffReach * diagonal;
+    handle.stiff.reset();
+    if (factor != 1) handle.stiff = StiffDisk{factor, radius};
+  });
+}
+
+void set_stiff_radius(Editor& editor, double radius) {
+  if (!std::isfinite(radius) || radius <= 0) return;
+  editor.edits().change_selected("Stiff radius", Change::mesh, [radius](Handle& handle) {
+    if (handle.stiff) handle.stiff->radius = radius;
+  });
 }
 
 void bring_forward(Editor& editor) { shift_depth(editor, "Bring forward", 1); }
@@ -112,6 +146,7 @@ void nudge(Editor& editor, const Vec2& direction) {
   std::vector<Target> targets = selected_targets(editor);
   for (Target& target : targets) target.position += nudge_length(editor) * direction;
   editor.draft().solving().clear_timeline();
+  targets = with_rig(editor, editor.document(), std::move(targets));
   editor.draft().edit_again("Nudge", with_targets(editor.document(), targets), Change::targets);
 }
 

@@ -22,6 +22,8 @@ struct SelectedHandles {
   std::optional<double> x, y;  ///< of the target [length]
   std::optional<bool> turns;   ///< whether there is a Turn
   std::optional<double> angle, radius;
+  std::optional<double> stiffness;     ///< 1 without a StiffDisk
+  std::optional<double> stiff_radius;  ///< of that, 0 without
 };
 SelectedHandles selected_handles(const Editor& editor);
 /// Where they should be now.
@@ -36,8 +38,12 @@ void set_weight(Editor& editor, double weight);  ///< 0.001 … 1000
 void set_depth(Editor& editor, double depth);    ///< −1000 … 1000, see Handle::depth
 void set_name(Editor& editor, const std::string& name);
 void set_coordinate(Editor& editor, int axis, double value);  ///< of the target: 0 is x, 1 is y
-void bring_forward(Editor& editor);                           ///< depth by 1
-void send_back(Editor& editor);                               ///< depth by −1
+/// 0.1 … 1000 times as stiff round them; 1 is as stiff as ever. A radius there was not is a tenth
+/// of the drawing's diagonal.
+void set_stiffness(Editor& editor, double factor);
+void set_stiff_radius(Editor& editor, double radius);  ///< > 0 [length]
+void bring_forward(Editor& editor);                    ///< depth by 1
+void send_back(Editor& editor);                        ///< depth by −1
 
 /// Moves the targets by a pixel of the picture, or of the screen where there is none; with Shift by
 /// ten, with Alt by a tenth. Repeated within a second it is one step.

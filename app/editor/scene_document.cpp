@@ -50,6 +50,7 @@ Document document_of(const Scene& scene, const std::filesystem::path& file) {
   for (const Handle& handle : scene.handles)
     if (handle.id < std::numeric_limits<int>::max())
       document.next_handle_id = std::max(document.next_handle_id, handle.id + 1);
+  document.rig = scene.rig;
   document.energy = scene.energy;
   document.stiffness = scene.stiffness;
   document.parameters = scene.parameters;
@@ -74,6 +75,7 @@ Scene scene_of(const Document& document, const std::filesystem::path& file,
   scene.energy = document.energy;
   scene.stiffness = document.stiffness;
   scene.handles = document.handles;
+  scene.rig = document.rig;
   scene.parameters = document.parameters;
   const Snapshot& pose = *document.pose;
   scene.state = SceneState{*pose.triangles, *pose.rest, pose.deformed};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/selection.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace foldless {
@@ -31,6 +32,9 @@ void Selection::hover(std::optional<int> id) {
 
 void Selection::prune() {
   std::erase_if(ids_, [this](int id) { return !find_handle(document_, id); });
+  std::erase_if(order_, [this](int id) { return !ids_.contains(id); });
+  for (const int id : ids_)
+    if (std::find(order_.begin(), order_.end(), id) == order_.end()) order_.push_back(id);
   if (hovered_ && !find_handle(document_, *hovered_)) hovered_.reset();
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <set>
+#include <vector>
 
 #include "app/editor/document.h"
 #include "app/editor/messages.h"
@@ -17,6 +18,8 @@ class Selection {
       : document_(document), messages_(messages) {}
 
   const std::set<int>& ids() const { return ids_; }
+  /// The same in the order in which they were selected; those of one gesture by id.
+  const std::vector<int>& order() const { return order_; }
   /// Ids that the document does not have are passed over.
   void select(std::set<int> ids);
   void select_all();
@@ -34,6 +37,7 @@ class Selection {
   const Document& document_;
   Messages& messages_;
   std::set<int> ids_;
+  std::vector<int> order_;
   std::optional<int> hovered_;
 };
 

@@ -76,6 +76,13 @@ void StiffnessBrush::clear() {
   if (can_clear()) edit("Remove stiffness", {});
 }
 
+bool StiffnessBrush::is_tinted() const {
+  if (is_on_) return true;
+  return std::ranges::any_of(draft_.document().handles, [this](const Handle& handle) {
+    return handle.stiff && draft_.selection().ids().contains(handle.id);
+  });
+}
+
 std::vector<StiffStroke> StiffnessBrush::strokes() const {
   std::vector<StiffStroke> all;
   if (const auto& stiffness = draft_.document().stiffness) all = stiffness->strokes();
@@ -92,17 +99,24 @@ void StiffnessBrush::edit(const std::string& label, std::vector<StiffStroke> str
 
 const std::vector<float>& StiffnessBrush::factors() {
   const std::shared_ptr<const Snapshot>& shown = draft_.shown();
-  Seen now{draft_.document().stiffness, shown ? shown->revision : 0, 0};
+  Seen now{draft_.document().stiffness, {}, {}, shown ? shown->revision : 0, 0};
+  for (const Handle& handle : draft_.document().handles) {
+    if (!handle.stiff) continue;
+    now.disks.push_back(*handle.stiff);
+    now.vertices.push_back(handle.vertex);
+  }
   for (const StiffStroke& stroke : painted_) now.points += stroke.line.cols();
   if (now == seen_) return factors_;
   seen_ = std::move(now);
   factors_.clear();
-  if (!shown || (!seen_.stiffness && painted_.empty())) return factors_;
-  const Stiffness stiffness(strokes());
+  if (!shown) return factors_;
+  const auto painted = std::make_shared<const Stiffness>(strokes());
+  const auto stiffness = stiffness_with(painted, draft_.document().handles, *shown->rest);
+  if (stiffness == painted && painted->strokes().empty()) return factors_;
   factors_.reserve(static_cast<std::size_t>(shown->triangles->cols()));
   for (const auto& t : shown->triangles->colwise()) {
     const Vec2 sum = shown->rest->col(t[0]) + shown->rest->col(t[1]) + shown->rest->col(t[2]);
-    factors_.push_back(static_cast<float>(stiffness.at(sum / 3)));
+    factors_.push_back(static_cast<float>(stiffness->at(sum / 3)));
   }
   return factors_;
 }

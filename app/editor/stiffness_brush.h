@@ -39,6 +39,9 @@ class StiffnessBrush {
   void release();  ///< what it painted becomes an undo step
   void cancel() { painted_.clear(); }
 
+  /// Whether what is stiff should be seen: the brush is in the hand, or a stiff handle selected.
+  bool is_tinted() const;
+
   bool can_clear() const { return draft_.document().stiffness != nullptr; }
   /// The whole drawing is as stiff as ever; an undo step.
   void clear();
@@ -55,6 +58,8 @@ class StiffnessBrush {
   /// What factors_ were computed of.
   struct Seen {
     std::shared_ptr<const Stiffness> stiffness;
+    std::vector<StiffDisk> disks;
+    std::vector<int> vertices;  ///< of the disks
     std::uint64_t revision = 0;
     Eigen::Index points = 0;
     bool operator==(const Seen&) const = default;

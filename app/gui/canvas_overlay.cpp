@@ -163,6 +163,10 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
     return list.PopClipRect();
   }
   if (!editor.view().are_overlays_hidden()) draw_outlines(editor, brush, context.look);
+  if (editor.view().shown_options().layers.handles) {
+    draw_mirror(editor, brush, context.look);
+    draw_bones(editor, brush, context.look);
+  }
   draw_heat_notes(editor, context, brush);
   if (editor.view().shown_options().layers.handles) draw_distances(editor, brush, context.look);
   if (!editor.view().are_overlays_hidden()) draw_handle_notes(editor, brush, context);

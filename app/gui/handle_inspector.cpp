@@ -87,6 +87,22 @@ void draw_turn(const SelectedHandles& selected, Editor& editor, const Look& look
   tooltip("How far the mesh follows, measured on the undeformed shape.", look);
 }
 
+/// How stiff the mesh round them is, and how far.
+void draw_stiffness(const SelectedHandles& selected, Editor& editor, const Look& look) {
+  begin_field("Stiff", look);
+  if (const auto factor = draw_number("##stiffness", selected.stiffness, 0))
+    set_stiffness(editor, *factor);
+  tooltip(
+      "So many times as stiff round it, 0.1 to 1000; 1 is as stiff as ever. What the brush has "
+      "painted there is multiplied.",
+      look);
+  if (selected.stiffness == 1) return;
+  begin_field("within", look);
+  if (const auto radius = draw_number("##stiff radius", selected.stiff_radius, 0))
+    set_stiff_radius(editor, *radius);
+  tooltip("How far the stiffness reaches, measured on the undeformed shape.", look);
+}
+
 }  // namespace
 
 void draw_handle_inspector(Editor& editor, const PanelContext& context) {
@@ -103,6 +119,7 @@ void draw_handle_inspector(Editor& editor, const PanelContext& context) {
   }
   draw_position(selected, editor, look);
   draw_turn(selected, editor, look);
+  draw_stiffness(selected, editor, look);
   begin_field("Depth", look);
   if (const auto depth = draw_number("##depth", selected.depth, 1)) set_depth(editor, *depth);
   tooltip(

@@ -76,7 +76,7 @@ std::vector<SceneInSight> document_scenes(Editor& editor, const Layout& layout,
     scenes.push_back(other_pose(editor, std::move(scene)));
     return scenes;
   }
-  if (editor.brush().is_on()) scene.stiffness = editor.brush().factors();
+  if (editor.brush().is_tinted()) scene.stiffness = editor.brush().factors();
   scene.gives_heat_range = true;
   scenes.push_back(std::move(scene));
   return scenes;

@@ -29,6 +29,14 @@ Eigen::AlignedBox2d box_of(const StiffStroke& stroke) {
   return {stroke.line.rowwise().minCoeff() - margin, stroke.line.rowwise().maxCoeff() + margin};
 }
 
+std::vector<StiffStroke> scaled(std::vector<StiffStroke> strokes, double factor) {
+  for (StiffStroke& stroke : strokes) {
+    stroke.line *= factor;
+    stroke.radius *= factor;
+  }
+  return strokes;
+}
+
 }  // namespace
 
 bool StiffStroke::operator==(const StiffStroke& other) const {
@@ -36,7 +44,8 @@ bool StiffStroke::operator==(const StiffStroke& other) const {
          line == other.line;
 }
 
-Stiffness::Stiffness(std::vector<StiffStroke> strokes) : strokes_(std::move(strokes)) {
+Stiffness::Stiffness(std::vector<StiffStroke> strokes, std::vector<StiffStroke> disks)
+    : strokes_(std::move(strokes)), disks_(std::move(disks)) {
   for (const StiffStroke& stroke : strokes_) {
     assert(stroke.line.cols() > 0 && stroke.radius > 0 && stroke.factor > 0);
     boxes_.push_back(box_of(stroke));
@@ -44,18 +53,32 @@ Stiffness::Stiffness(std::vector<StiffStroke> strokes) : strokes_(std::move(stro
 }
 
 double Stiffness::at(const Vec2& point) const {
-  for (std::size_t i = strokes_.size(); i-- > 0;)
-    if (boxes_[i].contains(point) && covers(strokes_[i], point)) return strokes_[i].factor;
-  return 1;
+  double factor = 1;
+  for (std::size_t i = strokes_.size(); i-- > 0;) {
+    if (!boxes_[i].contains(point) || !covers(strokes_[i], point)) continue;
+    factor = strokes_[i].factor;
+    break;
+  }
+  if (disks_.empty()) return factor;
+  for (const StiffStroke& disk : disks_)
+    if (covers(disk, point)) factor *= disk.factor;
+  return std::clamp(factor, kLeastStiffness, kLargestStiffness);
 }
 
 Stiffness Stiffness::scaled(double factor) const {
-  std::vector<StiffStroke> strokes = strokes_;
-  for (StiffStroke& stroke : strokes) {
-    stroke.line *= factor;
-    stroke.radius *= factor;
-  }
-  return Stiffness(std::move(strokes));
+  return Stiffness(foldless::scaled(strokes_, factor), foldless::scaled(disks_, factor));
+}
+
+std::shared_ptr<const Stiffness> stiffness_with(const std::shared_ptr<const Stiffness>& strokes,
+                                                const std::vector<Handle>& handles,
+                                                const Points& rest) {
+  std::vector<StiffStroke> disks;
+  for (const Handle& handle : handles)
+    if (handle.stiff)
+      disks.push_back({rest.col(handle.vertex), handle.stiff->radius, handle.stiff->factor});
+  if (disks.empty()) return strokes;
+  return std::make_shared<const Stiffness>(
+      strokes ? strokes->strokes() : std::vector<StiffStroke>{}, std::move(disks));
 }
 
 }  // namespace foldless

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "core/mesh/stiffness.h"
 #include "core/scene/handle_kind.h"
 
 namespace foldless {
@@ -38,6 +39,15 @@ int read_id(const JsonValue& value, const Ids& earlier) {
   return id;
 }
 
+StiffDisk read_stiff(const JsonValue& value) {
+  value.allow_only({"factor", "radius"});
+  const StiffDisk disk{value.at("factor").number(), value.at("radius").number_above_zero()};
+  if (!(disk.factor >= kLeastStiffness && disk.factor <= kLargestStiffness))
+    value.at("factor").refuse("is " + value.at("factor").shown() +
+                              ", but a number from 0.001 to 1000000 is needed");
+  return disk;
+}
+
 void name_handles(const Ids& ids, std::vector<Handle>& handles) {
   std::set<int> taken;
   for (const auto& id : ids)
@@ -58,7 +68,7 @@ std::vector<Handle> read_handles(const JsonValue& handles, const std::vector<boo
   Ids ids;
   for (const JsonValue& item : handles.items()) {
     item.allow_only(
-        {"vertex", "target", "id", "kind", "weight", "depth", "angle", "radius", "name"});
+        {"vertex", "target", "id", "kind", "weight", "depth", "angle", "radius", "stiff", "name"});
     Handle handle;
     handle.vertex = read_vertex(item.at("vertex"), used_vertices, named);
     handle.target = item.at("target").point();
@@ -67,6 +77,7 @@ std::vector<Handle> read_handles(const JsonValue& handles, const std::vector<boo
     if (const auto depth = item.find("depth")) handle.depth = depth->number();
     if (item.find("angle") || item.find("radius"))
       handle.turn = Turn{item.at("angle").number(), item.at("radius").number_above_zero()};
+    if (const auto stiff = item.find("stiff")) handle.stiff = read_stiff(*stiff);
     if (const auto name = item.find("name")) handle.name = name->text();
     const auto id = item.find("id");
     ids.push_back(id ? std::optional(read_id(*id, ids)) : std::nullopt);

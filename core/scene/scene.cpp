@@ -7,7 +7,7 @@ MeshPair mesh_of(const Scene& scene) {
   const auto& state = scene.state;
   MeshPair mesh = state ? MeshPair(state->triangles, state->rest, state->deformed)
                         : MeshPair(scene.triangles, scene.rest);
-  mesh.set_stiffness(scene.stiffness);
+  mesh.set_stiffness(stiffness_with(scene.stiffness, scene.handles, mesh.rest()));
   return mesh;
 }
 

@@ -14,15 +14,13 @@
 #include "core/scene/parameter_keys.h"
 #include "core/scene/parts_json.h"
 #include "core/scene/read_handles.h"
+#include "core/scene/rig_json.h"
 #include "core/scene/scene_io.h"
 
 namespace foldless {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Beyond them the energy of the rest is rounding.
-constexpr double kLeastStiffness = 1e-3, kLargestStiffness = 1e6;
 
 std::vector<int> lines_of_items(const JsonValue& array) {
   std::vector<int> lines;
@@ -57,7 +55,7 @@ class SceneReader {
     const JsonValue root(node, name_);
     read_version(root);
     root.allow_only({"version", "description", "mesh", "texture", "texture_box", "parts", "energy",
-                     "stiffness", "handles", "solver", "state"});
+                     "stiffness", "handles", "bones", "mirror", "solver", "state"});
     scene_.folder = fs::absolute(file_).parent_path();
     if (const auto text = root.find("description")) scene_.description = text->text();
     if (const auto path = root.find("texture")) scene_.texture_path = path->text();
@@ -72,6 +70,9 @@ class SceneReader {
     if (const auto state = root.find("state")) read_state(*state);
     if (const auto handles = root.find("handles"))
       scene_.handles = read_handles(*handles, used_vertices());
+    if (const auto bones = root.find("bones"))
+      scene_.rig.bones = read_bones(*bones, scene_.handles);
+    if (const auto mirror = root.find("mirror")) scene_.rig.mirror = read_mirror(*mirror);
     return {std::move(scene_), std::move(notices_)};
   }
 

@@ -8,6 +8,7 @@
 #include "core/scene/json_node.h"
 #include "core/scene/parameter_keys.h"
 #include "core/scene/parts_json.h"
+#include "core/scene/rig_json.h"
 #include "core/scene/scene_io.h"
 
 namespace foldless {
@@ -69,6 +70,9 @@ JsonNode handles_node(const std::vector<Handle>& handles) {
     if (handle.depth != 0) object.emplace_back("depth", JsonNode{handle.depth});
     if (handle.turn) object.emplace_back("angle", JsonNode{handle.turn->angle});
     if (handle.turn) object.emplace_back("radius", JsonNode{handle.turn->radius});
+    if (handle.stiff)
+      object.emplace_back("stiff", JsonNode{JsonNode::Object{{"factor", {handle.stiff->factor}},
+                                                             {"radius", {handle.stiff->radius}}}});
     if (!handle.name.empty()) object.emplace_back("name", JsonNode{handle.name});
     array.push_back({std::move(object)});
   }
@@ -134,6 +138,8 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
   root.emplace_back("energy", JsonNode{std::string(scene.energy->name)});
   if (scene.stiffness) root.emplace_back("stiffness", stiffness_node(*scene.stiffness));
   root.emplace_back("handles", handles_node(scene.handles));
+  if (!scene.rig.bones.empty()) root.emplace_back("bones", bones_node(scene.rig.bones));
+  if (scene.rig.mirror) root.emplace_back("mirror", mirror_node(*scene.rig.mirror));
   root.emplace_back("solver", solver_node(scene.parameters));
   if (scene.state || scene.view) root.emplace_back("state", state_node(scene));
   return json_text({std::move(root)});

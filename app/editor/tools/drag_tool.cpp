@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/editor/editor.h"
+#include "app/editor/mirroring.h"
 #include "app/editor/tools/gestures.h"
 
 namespace foldless {
@@ -17,6 +18,7 @@ class DragTool final : public Tool {
     const Vec2 by = editor.canvas().to_world(event.position) - drag_.from;
     std::vector<Target> targets = drag_.starts;
     for (Target& target : targets) target.position += by;
+    targets = with_rig(editor, drag_.before, std::move(targets));
     editor.draft().apply(with_targets(editor.document(), targets), Change::targets);
     return nullptr;
   }

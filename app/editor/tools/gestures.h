@@ -20,6 +20,7 @@ struct HandleDrag {
   Vec2 from = Vec2::Zero();    ///< where the button went down [world]
   std::vector<Target> starts;  ///< targets when it did
   std::string label;           ///< of the undo step
+  Document before;             ///< as it was then
 };
 
 /// Moves targets with the pointer until the left button is released. Precondition: begin_edit().
@@ -49,6 +50,9 @@ std::unique_ptr<Tool> make_ring_tool(const Vec2& from, std::vector<Target> start
 
 /// Paints with the stiffness brush until the left button is released; with Shift it takes back.
 std::unique_ptr<Tool> begin_painting(Editor& editor, const PointerPressed& event);
+
+/// Moves an end of the mirror's axis until the left button is released; null where none is.
+std::unique_ptr<Tool> begin_axis(Editor& editor, const Vec2& from);
 
 /// Moves the view until the button is released.
 std::unique_ptr<Tool> make_pan_tool(const Vec2& from, Button button);

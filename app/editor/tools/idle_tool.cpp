@@ -25,6 +25,7 @@ class IdleTool final : public Tool {
         editor.selection().select({hit->id});
       return make_press_tool(event, hit, true);
     }
+    if (auto axis = begin_axis(editor, event.position)) return axis;
     const bool is_on_mesh =
         pick_mesh(shown, editor.canvas(), event.position, editor.draft().paint_order()).has_value();
     return make_press_tool(event, std::nullopt, is_on_mesh);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/editor/editor.h"
+#include "app/editor/mirroring.h"
 #include "app/editor/picking.h"
 #include "app/editor/tools/gestures.h"
 #include "app/editor/turning.h"
@@ -10,11 +11,17 @@
 namespace foldless {
 namespace {
 
-/// Puts a handle under a pixel and selects it, between begin_edit() and commit(). Returns whether
-/// the document changed.
+/// Puts a handle under a pixel, another at its mirror image, and selects the first, between
+/// begin_edit() and commit(). Returns whether the document changed.
 bool place_at(Editor& editor, const MeshHit& hit) {
   Placed placed = place_handle(editor.document(), hit);
-  if (placed.is_new) editor.draft().apply(std::move(placed.document), Change::mesh);
+  if (placed.is_new) {
+    MirrorImage both = with_mirror_image(editor, std::move(placed.document), placed.id);
+    if (both.is_beside_mesh)
+      editor.messages().toast(ToastKind::notice,
+                              "Its mirror image would lie beside the mesh: one handle was placed");
+    editor.draft().apply(std::move(both.document), Change::mesh);
+  }
   editor.selection().select({placed.id});
   return placed.is_new;
 }
@@ -104,7 +111,7 @@ class PressTool final : public Tool {
   std::unique_ptr<Tool> drag_selection(Editor& editor, std::string label) {
     editor.draft().solving().clear_timeline();
     const Document& document = editor.document();
-    HandleDrag drag{editor.canvas().to_world(event_.position), {}, std::move(label)};
+    HandleDrag drag{editor.canvas().to_world(event_.position), {}, std::move(label), document};
     for (const int id : editor.selection().ids()) {
       const Handle& handle = *find_handle(document, id);
       const bool from_dot = handle_ && handle_->id == id && !handle_->is_target;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/editor/editor.h"
+#include "app/editor/mirroring.h"
 #include "app/editor/tools/gestures.h"
 
 namespace foldless {
@@ -117,6 +118,8 @@ class TransformTool final : public Tool {
       target.position = centre_ + linear * (target.position - centre_);
       if (target.angle && what_ == Transformation::turn) *target.angle += shown_;
     }
+    if (!before_) before_ = editor.document();
+    targets = with_rig(editor, *before_, std::move(targets));
     editor.draft().apply(with_targets(editor.document(), targets), Change::targets);
   }
 
@@ -135,6 +138,7 @@ class TransformTool final : public Tool {
   Vec2 last_;  ///< of the pointer, in pixels
   std::vector<Target> starts_;
   Ends ends_;
+  std::optional<Document> before_;  ///< the first move
   Vec2 centre_ = Vec2::Zero();
   double by_hand_ = what_ == Transformation::turn ? 0 : 1;  ///< degrees, or a factor
   bool is_snapped_ = false;

@@ -72,6 +72,8 @@ TEST_F(AutosaveTest, RecoveryGivesEverythingBack) {
   const auto vertices = static_cast<int>(of_layers.original->rest.cols());
   of_layers.parts = std::make_shared<const MeshParts>(MeshParts{{"Body", 0, vertices, 1.5}});
   editor_->draft().edit("Parts", of_layers, Change::appearance);
+  editor_->run_command("bones.make");
+  editor_->run_command("mirror.toggle");
   ASSERT_TRUE(editor_->files().save_as(folder_ / "scene.json"));
   const Vec2 from = pixel_of_handle(1);
   drag(from, from + Vec2(40, -30));
@@ -86,6 +88,8 @@ TEST_F(AutosaveTest, RecoveryGivesEverythingBack) {
   EXPECT_TRUE(editor_->document().is_empty()) << "to offer is not to open";
   editor_->files().recover();
   EXPECT_TRUE(is_same_content(editor_->document(), lost));
+  EXPECT_EQ(editor_->document().rig.bones.size(), 1U);
+  EXPECT_TRUE(editor_->document().rig.mirror);
   EXPECT_EQ(editor_->document().texture, folder_ / "a.png");
   ASSERT_NE(editor_->document().parts, nullptr);
   EXPECT_EQ(*editor_->document().parts, *of_layers.parts);

@@ -50,5 +50,33 @@ TEST(Stiffness, ScalesWithTheUnitOfLength) {
     }
 }
 
+TEST(Stiffness, DisksOfHandlesMultiplyWhatIsPainted) {
+  Points rest(2, 2);
+  rest << 0, 10, 0, 0;
+  const std::vector<Handle> handles{{.id = 0, .vertex = 0, .stiff = StiffDisk{10, 2}},
+                                    {.id = 1, .vertex = 1, .stiff = StiffDisk{0.1, 1}},
+                                    {.id = 2, .vertex = 1}};
+  const auto painted = std::make_shared<const Stiffness>(
+      std::vector<StiffStroke>{{line({{1, 0}, {11, 0}}), 0.5, 7}});
+  const auto stiffness = stiffness_with(painted, handles, rest);
+  EXPECT_EQ(stiffness->at({-1.9, 0}), 10);
+  EXPECT_EQ(stiffness->at({1, 0}), 70);
+  EXPECT_EQ(stiffness->at({5, 0}), 7);
+  EXPECT_DOUBLE_EQ(stiffness->at({10, 0}), 0.7);
+  EXPECT_EQ(stiffness->at({-3, 0}), 1);
+  EXPECT_EQ(stiffness->scaled(8).at({-15, 0}), 10) << "disks are scaled too";
+  EXPECT_EQ(stiffness_with(nullptr, handles, rest)->at({0, 0}), 10);
+  EXPECT_EQ(stiffness_with(painted, {handles[2]}, rest), painted);
+  EXPECT_EQ(stiffness_with(nullptr, {}, rest), nullptr);
+}
+
+TEST(Stiffness, ManyDisksStayWithinTheBounds) {
+  const Points rest = Points::Zero(2, 1);
+  const std::vector<Handle> stiff(4, {.stiff = StiffDisk{1000, 1}});
+  EXPECT_EQ(stiffness_with(nullptr, stiff, rest)->at({0, 0}), kLargestStiffness);
+  const std::vector<Handle> soft(4, {.stiff = StiffDisk{0.1, 1}});
+  EXPECT_EQ(stiffness_with(nullptr, soft, rest)->at({0, 0}), kLeastStiffness);
+}
+
 }  // namespace
 }  // namespace foldless

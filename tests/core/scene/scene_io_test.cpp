@@ -37,7 +37,8 @@ Scene full_scene() {
       std::vector<StiffStroke>{{line, 0.1, 1000}, {line.leftCols(1), 1.0 / 7, 1}});
   scene.handles = {{4, 2, Vec2(0.1 + 0.2, -1e300), HandleKind::pin, 1},
                    {1, 0, Vec2(0, 5e-324), HandleKind::soft, 0.125, -1.0 / 3,
-                    Turn{-1234.5, 1.0 / 7}, "Лапа \"left\""}};
+                    Turn{-1234.5, 1.0 / 7}, "Лапа \"left\"", StiffDisk{0.1, 1.0 / 3}}};
+  scene.rig = {{{1, 4}}, Mirror{{{0.1, 0.2}, {1.0 / 3, -1e10}}, false}};
   scene.parameters = {"paper-noflip", 1e6, 0.5, 1e-3, 0.1, 7, 3, 1e-9, 0, false, false};
   scene.state = SceneState{scene.triangles, scene.rest, scene.rest * 0.7};
   scene.view = std::make_shared<const nlohmann::json>(
@@ -58,6 +59,7 @@ void expect_equal(const Scene& a, const Scene& b) {
     EXPECT_EQ(*a.stiffness, *b.stiffness);
   }
   EXPECT_EQ(a.handles, b.handles);
+  EXPECT_EQ(a.rig, b.rig);
   EXPECT_EQ(a.parameters, b.parameters);
   EXPECT_EQ(a.description, b.description);
   ASSERT_EQ(a.state.has_value(), b.state.has_value());

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bones and the mirror on the canvas.
+#include <gtest/gtest.h>
+
+#include "core/mesh/generate.h"
+#include "tests/app/gui/headless_editor.h"
+
+namespace foldless::test {
+namespace {
+
+/// Three handles along a strip, root at the left.
+class CanvasBones : public testing::Test {
+ protected:
+  CanvasBones() {
+    headless_.editor().files().open_shape(grid({.columns = 12, .rows = 4, .width = 6}), "strip");
+    headless_.calm_down();
+    middle_ = headless_.editor().shown()->deformed.rowwise().mean();
+    for (const double x : {-2.0, 0.0, 2.0}) headless_.click(window_point(x));
+    headless_.calm_down();
+  }
+  Vec2 window_point(double x) const { return headless_.window_point(middle_ + Vec2(x, 0)); }
+  void make_bones() {
+    for (const Handle& handle : headless_.editor().document().handles) {
+      std::set<int> ids = headless_.editor().selection().ids();
+      if (handle.id == 0) ids.clear();
+      ids.insert(handle.id);
+      headless_.editor().selection().select(ids);
+    }
+    headless_.key(Key::j);
+    headless_.calm_down();
+  }
+
+  Vec2 middle_;
+  HeadlessEditor headless_;
+};
+
+TEST_F(CanvasBones, AreDrawnAndHiddenWithTheHandles) {
+  headless_.editor().selection().select({2});
+  headless_.settle();
+  const Image before = headless_.picture();
+  make_bones();
+  ASSERT_EQ(headless_.editor().document().rig.bones.size(), 1U);
+  EXPECT_GT(differing_pixels(before, headless_.picture()), 1000);
+  headless_.key(Key::digit_5);
+  headless_.settle();
+  const Image without = headless_.picture();
+  headless_.key(Key::j, {.shift = true});
+  headless_.calm_down();
+  const Vec2 on_bone = window_point(1);
+  const auto x = static_cast<int>(on_bone.x()), y = static_cast<int>(on_bone.y());
+  const Image apart = headless_.picture();
+  EXPECT_TRUE(std::equal(without.at(x, y), without.at(x, y) + 3, apart.at(x, y)))
+      << "hidden with the handles";
+}
+
+TEST_F(CanvasBones, AreDraggedByTheirEndWithTheMouse) {
+  make_bones();
+  headless_.press(window_point(2));
+  for (const double y : {0.4, 0.8, 1.2})
+    headless_.move(headless_.window_point(middle_ + Vec2(1.5, y)));
+  headless_.release(headless_.window_point(middle_ + Vec2(1.5, 1.2)));
+  headless_.calm_down();
+  const std::vector<Handle>& handles = headless_.editor().document().handles;
+  EXPECT_NEAR((handles[1].target - handles[0].target).norm(), 2, 1e-9);
+  EXPECT_NEAR((handles[2].target - handles[1].target).norm(), 2, 1e-9);
+  EXPECT_LT((handles[2].target - middle_ - Vec2(1.5, 1.2)).norm(), 0.05);
+}
+
+}  // namespace
+}  // namespace foldless::test
