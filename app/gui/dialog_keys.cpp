@@ -50,6 +50,11 @@ void close_top_popup() {
   ImGui::ClosePopupToLevel(level, true);
 }
 
+Modifiers held_modifiers() {
+  const ImGuiIO& io = ImGui::GetIO();
+  return {.shift = io.KeyShift, .control = io.KeyCtrl, .alt = io.KeyAlt};
+}
+
 bool is_walked(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
 }  // namespace
@@ -69,6 +74,16 @@ DialogKeys dialog_keys(TextKeys text_keys) {
 }
 
 bool takes_key(Key key) { return has_keys() && take_press(static_cast<int>(key)); }
+
+bool takes_shortcut(const Shortcut& shortcut) {
+  return shortcut.modifiers == held_modifiers() && takes_key(shortcut.key);
+}
+
+std::optional<Shortcut> take_any_key() {
+  for (int key = 1; key <= static_cast<int>(kLastKey); ++key)
+    if (takes_key(static_cast<Key>(key))) return Shortcut{static_cast<Key>(key), held_modifiers()};
+  return std::nullopt;
+}
 
 std::optional<std::size_t> walk_list(std::size_t selected, std::size_t count, bool has_text) {
   if (count == 0 || !has_keys()) return std::nullopt;

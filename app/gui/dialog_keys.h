@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "app/editor/input.h"
+#include "app/editor/commands.h"
 
 namespace foldless {
 
@@ -35,6 +35,12 @@ DialogKeys dialog_keys(TextKeys text_keys = TextKeys::field);
 
 /// Takes another key of the dialog or popup that is being drawn, when it went down in this frame.
 bool takes_key(Key key);
+
+/// Takes a key with its modifiers.
+bool takes_shortcut(const Shortcut& shortcut);
+
+/// Takes the key that went down in this frame, whatever it is; nothing where none did.
+std::optional<Shortcut> take_any_key();
 
 /// The row that arrows, PageUp, PageDown, Home and End lead to in a list; nothing without such a
 /// key. Home and End are a text field's while it `has_text`.

@@ -69,6 +69,7 @@ void draw_dialogs(Editor& editor, const PanelContext& context) {
   state.search.draw(editor, state, context.look);
   draw_cheat_sheet(editor, context);
   draw_message_log(editor, context);
+  state.keys.draw(editor, context.look);
   draw_about(context);
 }
 

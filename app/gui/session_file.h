@@ -58,5 +58,6 @@ SessionFile read_session(const std::filesystem::path& path);
 std::string first_line(const SessionWindow& window, const SessionStart& start,
                        const std::filesystem::path& folder);
 std::string line_of(double time, const SessionEvent& event);
+std::string line_of(double time, const UiEvent& event);
 
 }  // namespace foldless

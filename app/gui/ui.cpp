@@ -18,6 +18,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/preview.h"
 #include "app/gui/race_layout.h"
+#include "app/gui/remembered.h"
 #include "app/gui/requests.h"
 #include "app/gui/scenes.h"
 #include "app/gui/start_screen.h"
@@ -85,7 +86,6 @@ struct Ui::Parts {
   void connect_clipboard();
   void follow_appearance(const Editor& editor, float content_scale);
   void follow_settings();
-  void remember(const Editor& editor);
   SidePanels panels(const Editor& editor) const;
   void save();
 };
@@ -137,14 +137,6 @@ void Ui::Parts::save() {
     save_settings(settings_file(options.state_folder), state.settings);
 }
 
-/// What the user changes elsewhere than in the settings.
-void Ui::Parts::remember(const Editor& editor) {
-  state.settings.pace = editor.playback().pace();
-  const Document& document = editor.document();
-  if (!document.is_empty() && document.texture.empty())
-    state.settings.layers = editor.view().options().layers;
-}
-
 Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
   parts_->options = std::move(options);
   ImGuiIO& io = ImGui::GetIO();
@@ -161,11 +153,7 @@ Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>()) {
 
 Ui::~Ui() { parts_->save(); }
 
-void Ui::restore(Editor& editor) const {
-  const Settings& settings = parts_->state.settings;
-  editor.playback().set_pace(settings.pace);
-  if (settings.layers) editor.view().options().layers = *settings.layers;
-}
+void Ui::restore(Editor& editor) const { bring_back(parts_->state.settings, editor); }
 
 void Ui::receive(const UiEvent& event) {
   parts_->feed.push(event);
@@ -203,7 +191,7 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   ImGui::Render();
   p.ui_renderer.draw(*ImGui::GetDrawData());
   p.has_thumbnails_to_make = editor.document().is_empty() && p.thumbnails.update();
-  p.remember(editor);
+  remember(editor, p.state.settings);
   p.follow_settings();
   if (p.tooltips.has_appeared()) p.settling = kSettlingFrames;
   p.settling = std::max(0, p.settling - 1);

@@ -47,6 +47,8 @@ class HeadlessEditor {
   void key(Key key, Modifiers modifiers = {});
   void type(std::string_view ascii);
 
+  /// Where words are on screen, the topmost ones; nothing: nowhere.
+  std::optional<Vec2> find_words(const std::string& words) const;
   /// Where a point of the mesh's plane is in the window.
   Vec2 window_point(const Vec2& world) const;
   /// The newest position of a vertex.
