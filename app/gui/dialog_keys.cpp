@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "app/gui/dialog_focus.h"
+
 namespace foldless {
 namespace {
 
@@ -59,7 +61,8 @@ bool is_walked(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key
 
 }  // namespace
 
-void begin_dialog_keys() {
+void begin_dialog_keys(bool captures_keys) {
+  follow_dialog_focus(captures_keys);
   const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
   if (open.empty()) return;
   if (open.back().OpenFrameCount == ImGui::GetFrameCount() - 1) forget_held_keys();

@@ -15,8 +15,9 @@ namespace foldless {
 // press is used once: nothing below sees it. Keys that were down when it opened count as let go.
 
 /// Once a frame, after the canvas got its events and before anything is drawn: Esc closes the
-/// topmost popup. Dialogs close themselves, by dialog_keys().
-void begin_dialog_keys();
+/// topmost popup. Dialogs close themselves, by dialog_keys(). `captures_keys`: the topmost dialog
+/// asks for a key, whatever it is.
+void begin_dialog_keys(bool captures_keys);
 
 /// Who has Enter and Esc while a text field of the dialog is edited.
 enum class TextKeys {

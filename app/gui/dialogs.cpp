@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "app/gui/dialog_focus.h"
 #include "app/gui/dialog_keys.h"
 #include "app/gui/image_dialog.h"
 #include "app/gui/panels.h"
@@ -71,6 +72,7 @@ void draw_dialogs(Editor& editor, const PanelContext& context) {
   draw_message_log(editor, context);
   state.keys.draw(editor, context.look);
   draw_about(context);
+  draw_dialog_focus(context.look);
 }
 
 }  // namespace foldless

@@ -7,6 +7,7 @@
 #include "app/gui/background_exports.h"
 #include "app/gui/file_browser.h"
 #include "core/error.h"
+#include "core/files/mesh_io.h"
 
 namespace foldless {
 

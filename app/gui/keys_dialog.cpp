@@ -79,7 +79,7 @@ void KeysDialog::draw(Editor& editor, const Look& look) {
   draw_head(keymap, look);
   if (is_capturing()) capture(keymap);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, look.palette->window);
-  begin_rows({0, -2 * ImGui::GetFrameHeightWithSpacing() - look.px(4)}, look);
+  begin_controls("rows", {0, -2 * ImGui::GetFrameHeightWithSpacing() - look.px(4)}, look);
   draw_rows(keymap, look);
   ImGui::EndChild();
   ImGui::PopStyleColor();

@@ -173,7 +173,7 @@ void Ui::frame(Editor& editor, const FrameSpec& spec) {
   p.tooltips.begin_frame(spec.time);
   resize(editor);
   route(editor, events, spec.time);
-  begin_dialog_keys();
+  begin_dialog_keys(p.state.keys.is_capturing());
   editor.view().options().theme = p.state.settings.theme;
   editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);
