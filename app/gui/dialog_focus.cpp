@@ -14,9 +14,9 @@ namespace {
 
 /// What a dialog remembers in its window: that the focus was last moved by a key, that what has it
 /// was drawn in the last frame, and the control that turned out to be a field of text.
-const ImGuiID kByKeyboard = ImHashStr("focus by keyboard");
-const ImGuiID kIsAlive = ImHashStr("focus is drawn");
-const ImGuiID kTextField = ImHashStr("field of text");
+constexpr ImGuiID kByKeyboard = 0xF0C05000;
+constexpr ImGuiID kIsAlive = 0xF0C05001;
+constexpr ImGuiID kTextField = 0xF0C05002;
 
 bool is_pressed(Key key, bool repeats) {
   return ImGui::IsKeyPressed(static_cast<int>(key), repeats);
