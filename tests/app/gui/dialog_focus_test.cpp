@@ -127,6 +127,15 @@ TEST_F(DialogFocus, TabReachesEveryControlOfADocumentsDialogsOnceARound) {
   }
 }
 
+TEST_F(DialogFocus, TabReachesEveryControlOfTheFileBrowserOnceARound) {
+  open_bar();
+  run("file.save_as");
+  const std::filesystem::path here = std::filesystem::current_path();
+  const auto folders = static_cast<std::size_t>(std::distance(here.begin(), here.end()));
+  // Beside these the parent folder, the folders above, and the name of the file.
+  expect_round({"New folder…", "Home", "Whole disk", "Save", "Cancel"}, 1 + folders + 1);
+}
+
 TEST_F(DialogFocus, TabReachesEveryControlOfAPicturesDialogOnceARound) {
   write_ring(folder_ / "ring.png", 128);
   editor().files().open(folder_ / "ring.png");
