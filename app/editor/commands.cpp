@@ -50,14 +50,6 @@ const Command* find_command(std::string_view name) {
   return it == table.end() ? nullptr : &*it;
 }
 
-const Command* find_command(const Shortcut& shortcut) {
-  const auto table = commands();
-  const auto it = std::find_if(table.begin(), table.end(), [&](const Command& c) {
-    return std::find(c.shortcuts.begin(), c.shortcuts.end(), shortcut) != c.shortcuts.end();
-  });
-  return it == table.end() ? nullptr : &*it;
-}
-
 bool is_available(const Command& command, const Editor& editor) {
   return (command.in_race || !editor.race().is_open()) && command.is_enabled(editor);
 }
@@ -70,8 +62,21 @@ std::string words_of(const Shortcut& shortcut) {
   return words + words_of(shortcut.key);
 }
 
-std::string shortcut_words(const Command& command) {
-  return command.shortcuts.empty() ? std::string() : words_of(command.shortcuts.front());
+std::optional<Shortcut> shortcut_of(std::string_view words) {
+  Shortcut shortcut;
+  const auto takes = [&words](std::string_view prefix) {
+    const bool has_it = words.starts_with(prefix);
+    if (has_it) words.remove_prefix(prefix.size());
+    return has_it;
+  };
+  shortcut.modifiers.control = takes("Ctrl+");
+  shortcut.modifiers.alt = takes("Alt+");
+  shortcut.modifiers.shift = takes("Shift+");
+  for (int key = 1; key <= static_cast<int>(kLastKey); ++key) {
+    shortcut.key = static_cast<Key>(key);
+    if (words_of(shortcut.key) == words) return shortcut;
+  }
+  return std::nullopt;
 }
 
 }  // namespace foldless

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,7 +26,7 @@ struct Command {
   std::string_view name;            ///< stable, `edit.undo`
   std::string_view menu;            ///< `File`, `Edit`, `Select`, `Solve`, `View`, `Help`
   std::string_view title;           ///< words in menus and search
-  std::vector<Shortcut> shortcuts;  ///< the first one is shown in menus
+  std::vector<Shortcut> shortcuts;  ///< the program's own, see Keymap; menus show the first one
   bool (*is_enabled)(const Editor&);
   void (*run)(Editor&);
   /// State of a switch, or null for commands that are none.
@@ -41,15 +42,13 @@ std::span<const Command> commands();
 
 /// The command of that name, or null.
 const Command* find_command(std::string_view name);
-/// The command with that shortcut, or null.
-const Command* find_command(const Shortcut& shortcut);
 
 /// True when the command can be run now.
 bool is_available(const Command& command, const Editor& editor);
 
 /// `Ctrl+Shift+S`.
 std::string words_of(const Shortcut& shortcut);
-/// The first shortcut in words, or empty.
-std::string shortcut_words(const Command& command);
+/// The shortcut that has these words; nothing where none has.
+std::optional<Shortcut> shortcut_of(std::string_view words);
 
 }  // namespace foldless

@@ -13,6 +13,7 @@
 #include "app/editor/draft.h"
 #include "app/editor/editor_input.h"
 #include "app/editor/handle_view.h"
+#include "app/editor/keymap.h"
 #include "app/editor/messages.h"
 #include "app/editor/playback.h"
 #include "app/editor/pose_comparison.h"
@@ -77,6 +78,9 @@ class Editor {
   const StuckHelp& stuck() const { return stuck_; }
   Messages& messages() { return messages_; }
   const Messages& messages() const { return messages_; }
+  /// Which key asks for what.
+  Keymap& keys() { return keys_; }
+  const Keymap& keys() const { return keys_; }
   EditorInput& input() { return input_; }
   const EditorInput& input() const { return input_; }
 
@@ -108,6 +112,7 @@ class Editor {
   StuckHelp stuck_;
   StiffnessBrush brush_;
   PoseComparison comparison_;
+  Keymap keys_;
   EditorInput input_;
 };
 

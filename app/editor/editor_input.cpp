@@ -62,7 +62,7 @@ void EditorInput::on(const KeyPressed& event) {
   std::unique_ptr<Tool> next;
   if (tool_->key(editor_, event, next)) return take_over(std::move(next));
   modifiers_ = event.modifiers;
-  const Command* command = find_command(Shortcut{event.key, event.modifiers});
+  const Command* command = find_command(editor_.keys().command_of({event.key, event.modifiers}));
   if (!command || (event.is_repeat && !command->repeats)) return;
   if (command->release) {
     held_command_ = command;

@@ -29,6 +29,7 @@ enum class Key {
   plus, minus, comma, period, backslash, slash, left_bracket, right_bracket
 };
 // clang-format on
+inline constexpr Key kLastKey = Key::right_bracket;
 
 enum class Button { left, right, middle };
 

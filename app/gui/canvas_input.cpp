@@ -59,8 +59,8 @@ void CanvasInput::route(const InputEvent& event, Editor& editor, UiState& state,
           editor.receive(on_canvas, time);
         } else if constexpr (std::is_same_v<E, KeyPressed>) {
           if (is_keyboard_taken()) return;
-          if (e.is_repeat || !run_interface_command({e.key, e.modifiers}, state))
-            editor.receive(e, time);
+          const auto command = editor.keys().command_of({e.key, e.modifiers});
+          if (e.is_repeat || !run_interface_command(command, state)) editor.receive(e, time);
         } else {
           if constexpr (std::is_same_v<E, FocusLost>) held_buttons_ = 0;
           editor.receive(e, time);

@@ -4,9 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "app/editor/commands.h"
+#include "app/editor/keymap.h"
 #include "app/gui/dialog_keys.h"
-#include "app/gui/interface_commands.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
@@ -49,25 +48,23 @@ void draw_gestures(const Look& look) {
   for (const Gesture& gesture : kGestures) draw_row(gesture.input, gesture.effect, look);
 }
 
-std::string cheat_title(const InterfaceCommand& command) {
-  return command.submenu.empty() ? command.title
-                                 : std::string(command.submenu) + ": " + command.title;
-}
-
-void draw_menu(const char* menu, const Look& look) {
+void draw_menu(const char* menu, const Keymap& keys, const Look& look) {
   ImGui::Spacing();
   heading(menu, look);
-  for (const Command& command : commands())
-    if (command.menu == menu && !command.shortcuts.empty())
-      draw_row(shortcut_words(command), std::string(command.title), look);
-  for (const InterfaceCommand& command : interface_commands())
-    if (command.menu == menu && command.shortcut.key != Key::none)
-      draw_row(words_of(command.shortcut), cheat_title(command), look);
+  for (const KeyRow& row : keys.rows())
+    if (const std::string words = keys.words(row.name); row.menu == menu && !words.empty())
+      draw_row(words, row.title, look);
+}
+
+/// What opened it closes it.
+bool is_own_key_pressed(const Keymap& keymap) {
+  return std::ranges::any_of(keymap.keys("help.keys"),
+                             [](const Shortcut& shortcut) { return takes_shortcut(shortcut); });
 }
 
 }  // namespace
 
-void draw_cheat_sheet(Editor&, const PanelContext& context) {
+void draw_cheat_sheet(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   const char* id = "##cheat sheet";
   if (std::exchange(context.state.opens_cheat_sheet, false)) ImGui::OpenPopup(id);
@@ -76,20 +73,21 @@ void draw_cheat_sheet(Editor&, const PanelContext& context) {
   const bool is_open = ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleVar();
   if (!is_open) return;
-  if (takes_key(Key::f1)) ImGui::CloseCurrentPopup();
+  if (is_own_key_pressed(editor.keys())) ImGui::CloseCurrentPopup();
   title_text("Keys and mouse", look);
   const int columns = ImGui::GetContentRegionAvail().x > look.px(840) ? 3 : 2;
+  const Keymap& keymap = editor.keys();
   if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
     draw_gestures(look);
-    draw_menu("Handles", look);
-    draw_menu("Solve", look);
+    draw_menu("Handles", keymap, look);
+    draw_menu("Solve", keymap, look);
     ImGui::TableNextColumn();
-    draw_menu("File", look);
-    draw_menu("Edit", look);
-    draw_menu("Help", look);
+    draw_menu("File", keymap, look);
+    draw_menu("Edit", keymap, look);
+    draw_menu("Help", keymap, look);
     ImGui::TableNextColumn();
-    draw_menu("View", look);
+    draw_menu("View", keymap, look);
     ImGui::EndTable();
   }
   ImGui::EndPopup();

@@ -11,7 +11,7 @@ namespace foldless {
 void command_button(std::string_view name, Icon icon, Editor& editor, const Look& look) {
   const Command* command = find_command(name);
   if (!command) return;
-  const std::string key = shortcut_words(*command);
+  const std::string key = editor.keys().words(name);
   std::string tip(command->title);
   if (!key.empty()) tip.append(" (").append(key).append(")");
   const bool is_on = command->is_checked && command->is_checked(editor);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "app/gui/dialog_focus.h"
+
 namespace foldless {
 namespace {
 
@@ -50,11 +52,17 @@ void close_top_popup() {
   ImGui::ClosePopupToLevel(level, true);
 }
 
+Modifiers held_modifiers() {
+  const ImGuiIO& io = ImGui::GetIO();
+  return {.shift = io.KeyShift, .control = io.KeyCtrl, .alt = io.KeyAlt};
+}
+
 bool is_walked(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
 }  // namespace
 
-void begin_dialog_keys() {
+void begin_dialog_keys(bool captures_keys) {
+  follow_dialog_focus(captures_keys);
   const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
   if (open.empty()) return;
   if (open.back().OpenFrameCount == ImGui::GetFrameCount() - 1) forget_held_keys();
@@ -69,6 +77,16 @@ DialogKeys dialog_keys(TextKeys text_keys) {
 }
 
 bool takes_key(Key key) { return has_keys() && take_press(static_cast<int>(key)); }
+
+bool takes_shortcut(const Shortcut& shortcut) {
+  return shortcut.modifiers == held_modifiers() && takes_key(shortcut.key);
+}
+
+std::optional<Shortcut> take_any_key() {
+  for (int key = 1; key <= static_cast<int>(kLastKey); ++key)
+    if (takes_key(static_cast<Key>(key))) return Shortcut{static_cast<Key>(key), held_modifiers()};
+  return std::nullopt;
+}
 
 std::optional<std::size_t> walk_list(std::size_t selected, std::size_t count, bool has_text) {
   if (count == 0 || !has_keys()) return std::nullopt;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "app/editor/input.h"
+#include "app/editor/commands.h"
 
 namespace foldless {
 
@@ -15,8 +15,9 @@ namespace foldless {
 // press is used once: nothing below sees it. Keys that were down when it opened count as let go.
 
 /// Once a frame, after the canvas got its events and before anything is drawn: Esc closes the
-/// topmost popup. Dialogs close themselves, by dialog_keys().
-void begin_dialog_keys();
+/// topmost popup. Dialogs close themselves, by dialog_keys(). `captures_keys`: the topmost dialog
+/// asks for a key, whatever it is.
+void begin_dialog_keys(bool captures_keys);
 
 /// Who has Enter and Esc while a text field of the dialog is edited.
 enum class TextKeys {
@@ -35,6 +36,12 @@ DialogKeys dialog_keys(TextKeys text_keys = TextKeys::field);
 
 /// Takes another key of the dialog or popup that is being drawn, when it went down in this frame.
 bool takes_key(Key key);
+
+/// Takes a key with its modifiers.
+bool takes_shortcut(const Shortcut& shortcut);
+
+/// Takes the key that went down in this frame, whatever it is; nothing where none did.
+std::optional<Shortcut> take_any_key();
 
 /// The row that arrows, PageUp, PageDown, Home and End lead to in a list; nothing without such a
 /// key. Home and End are a text field's while it `has_text`.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "app/gui/dialog_focus.h"
 #include "app/gui/dialog_keys.h"
 #include "app/gui/image_dialog.h"
 #include "app/gui/panels.h"
@@ -93,7 +94,9 @@ void draw_dialogs(Editor& editor, const PanelContext& context) {
   state.search.draw(editor, state, context.look);
   draw_cheat_sheet(editor, context);
   draw_message_log(editor, context);
+  state.keys.draw(editor, context.look);
   draw_about(context);
+  draw_dialog_focus(context.look);
 }
 
 }  // namespace foldless

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/gui/dialog_focus.h"
 #include "app/gui/dialog_keys.h"
 #include "app/gui/file_browser.h"
 #include "app/gui/widgets.h"
@@ -25,13 +26,15 @@ void FileBrowser::draw(const Look& look) {
       ImGui::CalcTextSize(footer_words().c_str(), nullptr, false, width).y + look.px(14);
   ImGui::PopFont();
   const float footer = ImGui::GetFrameHeightWithSpacing() + words;
-  ImGui::BeginChild("places", {look.px(150), -footer});
+  ImGui::BeginChild("places", {look.px(150), -footer}, false, ImGuiWindowFlags_NavFlattened);
   draw_places(look);
   ImGui::EndChild();
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_ChildBg, look.palette->window);
-  ImGui::BeginChild("entries", {0, -footer}, true);
+  ImGui::BeginChild("entries", {0, -footer}, true, ImGuiWindowFlags_NavFlattened);
+  begin_list_rows();
   draw_entries(look);
+  end_list_rows();
   ImGui::EndChild();
   ImGui::PopStyleColor();
   if (!replacing_.empty()) {

@@ -2,13 +2,24 @@
 #include "app/gui/hints.h"
 
 namespace foldless {
+namespace {
+
+/// ` · F1 all keys`; nothing for a command without a key.
+std::string key_hint(const Editor& editor, std::string_view command, const std::string& effect) {
+  const std::string key = editor.keys().words(command);
+  return key.empty() ? "" : std::string(" · ").append(key).append(" ").append(effect);
+}
+
+}  // namespace
 
 std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
   if (editor.files().image_import().is_open())
     return "Enter makes the mesh · Esc leaves everything as it was";
-  if (editor.document().is_empty()) return "Drop an image, a mesh or a scene here, or press Ctrl+O";
+  if (editor.document().is_empty())
+    return "Drop an image, a mesh or a scene here" + key_hint(editor, "file.open", "opens one");
   if (editor.race().is_open())
-    return "Space pauses all lanes · . goes on by one · wheel zooms, drag moves · Esc closes";
+    return "Space pauses all lanes" + key_hint(editor, "solve.step", "goes on by one") +
+           " · wheel zooms, drag moves · Esc closes";
   if (editor.playback().scrubbed())
     return "Enter goes on from this iteration · Esc returns to the newest";
   if (std::string words = editor.input().words(); !words.empty()) return words;
@@ -17,11 +28,15 @@ std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
     return "Drag paints stiffness · Shift takes it back · [ and ] change the size · Esc ends";
   if (editor.input().band() || !editor.input().lasso().empty())
     return "Release to select · Shift adds · Ctrl takes away · Esc cancels";
-  if (modifiers.control) return "Ctrl+drag takes away from the selection · Ctrl+K finds commands";
+  if (modifiers.control)
+    return "Ctrl+drag takes away from the selection" +
+           key_hint(editor, "help.search", "finds commands");
   if (modifiers.shift) return "Shift+click adds to the selection · Shift+drag adds a box";
   if (editor.selection().hovered())
-    return "Drag to bend · Delete removes what is selected · Shift adds";
-  return "Click places a handle, drag bends · wheel zooms, middle drag pans · F1 all keys";
+    return "Drag to bend" + key_hint(editor, "edit.delete", "removes what is selected") +
+           " · Shift adds";
+  return "Click places a handle, drag bends · wheel zooms, middle drag pans" +
+         key_hint(editor, "help.keys", "all keys");
 }
 
 }  // namespace foldless

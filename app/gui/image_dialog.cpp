@@ -171,7 +171,7 @@ void draw_image_dialog(Editor& editor, const PanelContext& context) {
   draw_result(editor.files().image_import(), look);
   ImGui::EndChild();
   if (is_open) draw_buttons(editor, look);
-  ImGui::EndPopup();
+  end_side_dialog();
 }
 
 }  // namespace foldless

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/interface_commands.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,20 +12,26 @@ namespace {
 
 /// A submenu of a menu.
 struct Submenu {
-  std::string_view menu, title;
+  std::string_view menu, title, name;
 };
-constexpr Submenu kAutosave{"File", "Keep a copy of changes within"};
-constexpr Submenu kTheme{"View", "Theme"};
-constexpr Submenu kScale{"View", "Interface size"};
-constexpr Submenu kWorkspace{"View", "Workspace"};
+constexpr Submenu kAutosave{"File", "Keep a copy of changes within", "file.autosave."};
+constexpr Submenu kTheme{"View", "Theme", "view.theme."};
+constexpr Submenu kScale{"View", "Interface size", "view.size."};
+constexpr Submenu kWorkspace{"View", "Workspace", "view.workspace."};
+
+/// What a choice is called in its submenu, and by the rest of its stable name.
+struct ChoiceWords {
+  std::string title, name;
+};
 
 /// One of several values of a setting.
 template <class Value>
-InterfaceCommand choice(const Submenu& place, std::string title, Value Settings::*setting,
+InterfaceCommand choice(const Submenu& place, const ChoiceWords& words, Value Settings::*setting,
                         Value value) {
-  return {place.menu,
+  return {std::string(place.name) + words.name,
+          place.menu,
           place.title,
-          std::move(title),
+          words.title,
           {},
           [=](UiState& state) { state.settings.*setting = value; },
           [=](const UiState& state) { return state.settings.*setting == value; }};
@@ -35,61 +41,81 @@ void add_autosave(std::vector<InterfaceCommand>& commands) {
   for (const auto& [title, seconds] :
        {std::pair{"15 seconds", 15.0}, std::pair{"1 minute", 60.0}, std::pair{"5 minutes", 300.0},
         std::pair{"15 minutes", 900.0}, std::pair{"1 hour", 3600.0}})
-    commands.push_back(choice(kAutosave, title, &Settings::autosave_seconds, seconds));
+    commands.push_back(choice(kAutosave, {title, std::to_string(static_cast<int>(seconds))},
+                              &Settings::autosave_seconds, seconds));
 }
 
 void add_look(std::vector<InterfaceCommand>& commands) {
-  for (const auto& [title, theme] :
-       {std::pair{"Dark", Theme::dark}, std::pair{"Light", Theme::light},
-        std::pair{"High contrast", Theme::contrast}})
-    commands.push_back(choice(kTheme, title, &Settings::theme, theme));
+  const auto add_theme = [&commands](const ChoiceWords& words, Theme theme) {
+    commands.push_back(choice(kTheme, words, &Settings::theme, theme));
+  };
+  add_theme({"Dark", "dark"}, Theme::dark);
+  add_theme({"Light", "light"}, Theme::light);
+  add_theme({"High contrast", "contrast"}, Theme::contrast);
   for (const int percent : {75, 100, 125, 150, 175, 200, 250, 300})
-    commands.push_back(
-        choice(kScale, std::to_string(percent) + " %", &Settings::scale, percent / 100.0));
+    commands.push_back(choice(kScale, {std::to_string(percent) + " %", std::to_string(percent)},
+                              &Settings::scale, percent / 100.0));
 }
 
 void add_panels(std::vector<InterfaceCommand>& commands) {
+  commands.push_back(choice(kWorkspace, {"Animate", "animate"}, &Settings::workspace,
+                            std::optional(Workspace::animate)));
   commands.push_back(
-      choice(kWorkspace, "Animate", &Settings::workspace, std::optional(Workspace::animate)));
-  commands.push_back(
-      choice(kWorkspace, "Lab", &Settings::workspace, std::optional(Workspace::lab)));
-  commands.push_back({kWorkspace.menu,
+      choice(kWorkspace, {"Lab", "lab"}, &Settings::workspace, std::optional(Workspace::lab)));
+  commands.push_back({"view.workspace.switch",
+                      kWorkspace.menu,
                       kWorkspace.title,
                       "Switch to the other",
-                      {Key::f3, {}},
+                      {{Key::f3, {}}},
                       [](UiState& state) {
                         state.settings.workspace =
                             state.workspace == Workspace::lab ? Workspace::animate : Workspace::lab;
                       },
                       {}});
   commands.push_back(
-      {"View",
+      {"view.panels",
+       "View",
        "",
        "Side panels",
-       {Key::f4, {}},
+       {{Key::f4, {}}},
        [](UiState& state) { state.settings.shows_panels = !state.settings.shows_panels; },
        [](const UiState& state) { return state.settings.shows_panels; }});
 }
 
+void add_dialogs(std::vector<InterfaceCommand>& commands) {
+  commands.push_back(
+      {"edit.keys", "Edit", "", "Keys…", {}, [](UiState& state) { state.keys.open(); }, {}});
+  commands.push_back({"help.messages",
+                      "Help",
+                      "",
+                      "Messages…",
+                      {},
+                      [](UiState& state) { state.shows_log = true; },
+                      {}});
+  commands.push_back({"help.about",
+                      "Help",
+                      "",
+                      "About Foldless",
+                      {},
+                      [](UiState& state) { state.shows_about = true; },
+                      {}});
+}
+
 std::string words_of(const InterfaceCommand& command) {
-  std::string words = std::string(command.menu) + ": ";
-  if (!command.submenu.empty()) words += std::string(command.submenu) + ": ";
-  return words + command.title;
+  return std::string(command.menu).append(": ") += words_in_menu(command);
 }
 
 void add_commands(std::vector<Action>& actions, Editor& editor) {
   for (const Command& command : commands())
     actions.push_back({std::string(command.menu) + ": " + std::string(command.title),
-                       shortcut_words(command), is_available(command, editor),
+                       editor.keys().words(command.name), is_available(command, editor),
                        [&editor, name = command.name] { editor.run_command(name); }});
 }
 
-void add_interface(std::vector<Action>& actions, UiState& state) {
-  for (const InterfaceCommand& command : interface_commands()) {
-    const bool has_key = command.shortcut.key != Key::none;
-    actions.push_back({words_of(command), has_key ? words_of(command.shortcut) : "", true,
+void add_interface(std::vector<Action>& actions, const Keymap& keys, UiState& state) {
+  for (const InterfaceCommand& command : interface_commands())
+    actions.push_back({words_of(command), keys.words(command.name), true,
                        [&state, &command] { command.run(state); }});
-  }
 }
 
 void add_files(std::vector<Action>& actions, Editor& editor, const UiState& state) {
@@ -109,28 +135,35 @@ const std::vector<InterfaceCommand>& interface_commands() {
     add_autosave(commands);
     add_look(commands);
     add_panels(commands);
-    commands.push_back(
-        {"Help", "", "Messages…", {}, [](UiState& state) { state.shows_log = true; }, {}});
-    commands.push_back(
-        {"Help", "", "About Foldless", {}, [](UiState& state) { state.shows_about = true; }, {}});
+    add_dialogs(commands);
     return commands;
   }();
   return table;
 }
 
-bool run_interface_command(const Shortcut& shortcut, UiState& state) {
-  for (const InterfaceCommand& command : interface_commands()) {
-    if (command.shortcut.key == Key::none || command.shortcut != shortcut) continue;
-    command.run(state);
-    return true;
-  }
-  return false;
+bool run_interface_command(std::string_view name, UiState& state) {
+  const auto& table = interface_commands();
+  const auto it = std::ranges::find(table, name, &InterfaceCommand::name);
+  if (it != table.end()) it->run(state);
+  return it != table.end();
+}
+
+std::string words_in_menu(const InterfaceCommand& command) {
+  if (command.submenu.empty()) return command.title;
+  return std::string(command.submenu).append(": ") += command.title;
+}
+
+Keymap all_keys() {
+  Keymap keys;
+  for (const InterfaceCommand& command : interface_commands())
+    keys.add({command.name, std::string(command.menu), words_in_menu(command), command.shortcuts});
+  return keys;
 }
 
 std::vector<Action> all_actions(Editor& editor, UiState& state) {
   std::vector<Action> actions;
   add_commands(actions, editor);
-  add_interface(actions, state);
+  add_interface(actions, editor.keys(), state);
   add_files(actions, editor, state);
   return actions;
 }

@@ -12,8 +12,8 @@ namespace {
 
 void draw_command(const Command& command, Editor& editor) {
   const bool checked = command.is_checked && command.is_checked(editor);
-  if (ImGui::MenuItem(std::string(command.title).c_str(), shortcut_words(command).c_str(), checked,
-                      is_available(command, editor)))
+  if (ImGui::MenuItem(std::string(command.title).c_str(), editor.keys().words(command.name).c_str(),
+                      checked, is_available(command, editor)))
     editor.run_command(command.name);
 }
 
@@ -34,36 +34,36 @@ void draw_recent(Editor& editor) {
   ImGui::EndMenu();
 }
 
-void draw_command(const InterfaceCommand& command, UiState& state) {
+void draw_command(const InterfaceCommand& command, const Keymap& keys, UiState& state) {
   const bool is_checked = command.is_checked && command.is_checked(state);
-  const std::string key = command.shortcut.key == Key::none ? "" : words_of(command.shortcut);
-  if (ImGui::MenuItem(command.title.c_str(), key.c_str(), is_checked)) command.run(state);
+  if (ImGui::MenuItem(command.title.c_str(), keys.words(command.name).c_str(), is_checked))
+    command.run(state);
 }
 
 /// What a menu has of the interface, its submenus where their first command stands.
-void draw_interface_commands(std::string_view menu, UiState& state) {
+void draw_interface_commands(std::string_view menu, const Keymap& keys, UiState& state) {
   std::string_view done;
   for (const InterfaceCommand& command : interface_commands()) {
     if (command.menu != menu || (!done.empty() && command.submenu == done)) continue;
     if (command.submenu.empty()) {
-      draw_command(command, state);
+      draw_command(command, keys, state);
       continue;
     }
     done = command.submenu;
     if (!ImGui::BeginMenu(std::string(done).c_str())) continue;
     for (const InterfaceCommand& inner : interface_commands())
-      if (inner.menu == menu && inner.submenu == done) draw_command(inner, state);
+      if (inner.menu == menu && inner.submenu == done) draw_command(inner, keys, state);
     ImGui::EndMenu();
   }
 }
 
 void draw_extras(std::string_view menu, Editor& editor, const PanelContext& context) {
-  if (menu == "File" || menu == "View") ImGui::Separator();
+  if (menu == "File" || menu == "Edit" || menu == "View") ImGui::Separator();
   if (menu == "File") {
     draw_recent(editor);
     draw_samples(editor, context);
   }
-  draw_interface_commands(menu, context.state);
+  draw_interface_commands(menu, editor.keys(), context.state);
 }
 
 /// The name of the document in the middle of what is left of the bar.

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/gui/dialog_focus.h"
 #include "app/gui/dialog_keys.h"
 #include "app/gui/side_dialog.h"
 #include "app/gui/widgets.h"
@@ -37,7 +38,9 @@ void draw_rows(Recovery& recovery, const Look& look) {
   const std::size_t selected = recovery.selected();
   const auto walked = walk_list(selected, recovery.count());
   if (walked && *walked != selected) recovery.select(*walked);
+  begin_list_rows();
   for (std::size_t i = 0; i < recovery.count(); ++i) draw_row(recovery, i, look);
+  end_list_rows();
 }
 
 /// Nothing brings it back, so it is asked first.
@@ -97,7 +100,7 @@ void draw_recovery_dialog(Editor& editor, const PanelContext& context) {
     ImGui::EndChild();
     draw_buttons(editor, look);
   }
-  ImGui::EndPopup();
+  end_side_dialog();
 }
 
 }  // namespace foldless

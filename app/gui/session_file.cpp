@@ -89,6 +89,13 @@ struct LineWriter {
   }
 };
 
+template <class Write>
+std::string line_by(double time, const Write& write) {
+  json line{{"t", time}};
+  write(LineWriter{line});
+  return line.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
+}
+
 // Reading.
 
 Extent read_extent(const JsonValue& value) {
@@ -135,9 +142,8 @@ Button read_button(const JsonValue& value) {
 }
 
 Key read_key(const JsonValue& value) {
-  constexpr int kKeys = static_cast<int>(Key::right_bracket);
-  for (int i = 1; i <= kKeys; ++i)
-    if (words_of(Shortcut{static_cast<Key>(i), {}}) == value.text()) return static_cast<Key>(i);
+  const auto shortcut = shortcut_of(value.text());
+  if (shortcut && shortcut->modifiers == Modifiers{}) return shortcut->key;
   value.refuse("is " + value.shown() + ", which is no key");
 }
 
@@ -264,9 +270,11 @@ std::string first_line(const SessionWindow& window, const SessionStart& start,
 }
 
 std::string line_of(double time, const SessionEvent& event) {
-  json line{{"t", time}};
-  std::visit(LineWriter{line}, event);
-  return line.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
+  return line_by(time, [&event](LineWriter writer) { std::visit(writer, event); });
+}
+
+std::string line_of(double time, const UiEvent& event) {
+  return line_by(time, [&event](LineWriter writer) { writer(event); });
 }
 
 }  // namespace foldless

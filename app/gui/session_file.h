@@ -61,5 +61,6 @@ SessionFile parse_session(const std::string& text, const std::string& name,
 std::string first_line(const SessionWindow& window, const SessionStart& start,
                        const std::filesystem::path& folder);
 std::string line_of(double time, const SessionEvent& event);
+std::string line_of(double time, const UiEvent& event);
 
 }  // namespace foldless

@@ -6,10 +6,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "app/editor/autosave.h"
 #include "app/editor/scene_document.h"
+#include "app/gui/key_settings.h"
 #include "core/files/atomic_file.h"
 
 namespace foldless {
@@ -78,6 +80,10 @@ Settings load_settings(const std::filesystem::path& file) {
     const auto titles = read.texts("closed_in_animate");
     settings.closed_in_animate = {titles.begin(), titles.end()};
   }
+  if (const auto* keys = read.find("keys")) {
+    std::tie(settings.keys, settings.problem) = read_keys(*keys);
+    if (!settings.problem.empty()) settings.problem.insert(0, file.string() + ": ");
+  }
   if (const auto* layers = read.find("layers")) settings.layers = read_layers(*layers, {});
   return settings;
 }
@@ -97,6 +103,7 @@ void save_settings(const std::filesystem::path& file, const Settings& settings) 
   if (settings.workspace)
     json["workspace"] = *settings.workspace == Workspace::animate ? "animate" : "lab";
   if (settings.pace) json["pace"] = *settings.pace;
+  if (settings.keys != KeyChoice{}) json["keys"] = keys_json(settings.keys);
   if (settings.layers) json["layers"] = layers_json(*settings.layers);
   write_file_atomically(file, json.dump(2) + "\n");
 }

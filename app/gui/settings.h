@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "app/editor/keymap.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -30,6 +31,8 @@ struct Settings {
   std::optional<Layers> layers;
   int window_width = 1280, window_height = 800;  ///< window coordinates, while not maximised
   bool is_maximised = false;
+  KeyChoice keys;
+  std::string problem;           ///< what of the file is of no use, a sentence; empty: nothing
   double autosave_seconds = 60;  ///< how long a change may wait for its copy, 15 … 3600
 
   bool operator==(const Settings&) const = default;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/widgets.h"
+#include "app/gui/dialog_focus.h"
 
 namespace foldless {
 namespace {
@@ -34,7 +34,13 @@ bool begin_side_dialog(const char* id, bool is_open, const PanelContext& context
                                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleVar();
   if (is_begun && !is_open) ImGui::CloseCurrentPopup();
+  if (is_begun) begin_tab_stops();
   return is_begun;
+}
+
+void end_side_dialog() {
+  end_tab_stops();
+  ImGui::EndPopup();
 }
 
 Rectangle preview_place(const Layout& layout, float scale) {

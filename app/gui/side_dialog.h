@@ -8,9 +8,10 @@
 
 namespace foldless {
 
-/// Begins a modal dialog at the right that leaves the canvas to a preview; ImGui::EndPopup() must
+/// Begins a modal dialog at the right that leaves the canvas to a preview; end_side_dialog() must
 /// follow when it returns true. Goes away when `is_open` is false.
 bool begin_side_dialog(const char* id, bool is_open, const PanelContext& context);
+void end_side_dialog();
 
 /// What such a dialog leaves of the canvas.
 Rectangle preview_place(const Layout& layout, float scale);

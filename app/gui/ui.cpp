@@ -19,6 +19,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/preview.h"
 #include "app/gui/race_layout.h"
+#include "app/gui/remembered.h"
 #include "app/gui/requests.h"
 #include "app/gui/scenes.h"
 #include "app/gui/settings_keeper.h"
@@ -88,7 +89,6 @@ struct Ui::Parts {
   void connect_clipboard();
   void follow_appearance(const Editor& editor, float content_scale);
   void follow_settings(Editor& editor);
-  void remember(const Editor& editor);
   SidePanels panels(const Editor& editor) const;
 };
 
@@ -128,14 +128,6 @@ void Ui::Parts::follow_settings(Editor& editor) {
   if (settings_keeper.follow(state.settings, editor.messages())) settling = kSettlingFrames;
 }
 
-/// What the user changes elsewhere than in the settings.
-void Ui::Parts::remember(const Editor& editor) {
-  state.settings.pace = editor.playback().pace();
-  const Document& document = editor.document();
-  if (!document.is_empty() && document.texture.empty())
-    state.settings.layers = editor.view().options().layers;
-}
-
 Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>(std::move(options))) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -150,11 +142,7 @@ Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>(std::move(options))) 
 
 Ui::~Ui() { parts_->settings_keeper.end(); }
 
-void Ui::restore(Editor& editor) const {
-  const Settings& settings = parts_->state.settings;
-  editor.playback().set_pace(settings.pace);
-  if (settings.layers) editor.view().options().layers = *settings.layers;
-}
+void Ui::restore(Editor& editor) const { bring_back(parts_->state.settings, editor); }
 
 void Ui::receive(const UiEvent& event) {
   parts_->feed.push(event);
@@ -174,7 +162,7 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   p.tooltips.begin_frame(spec.time);
   resize(editor);
   route(editor, events, spec.time);
-  begin_dialog_keys();
+  begin_dialog_keys(p.state.keys.is_capturing());
   editor.view().options().theme = p.state.settings.theme;
   editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);
@@ -188,7 +176,7 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   update_exports(p.exports, editor, spec.time);
   const bool has_drawn = draw_frame(editor, spec);
   p.has_thumbnails_to_make = editor.document().is_empty() && p.thumbnails.update();
-  p.remember(editor);
+  remember(editor, p.state.settings);
   p.follow_settings(editor);
   if (p.tooltips.has_appeared()) p.settling = kSettlingFrames;
   p.settling = std::max(0, p.settling - 1);

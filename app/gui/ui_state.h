@@ -11,6 +11,7 @@
 #include "app/gui/command_search.h"
 #include "app/gui/export_dialog.h"
 #include "app/gui/file_browser.h"
+#include "app/gui/keys_dialog.h"
 #include "app/gui/plot.h"
 #include "app/gui/samples.h"
 #include "app/gui/settings.h"
@@ -26,6 +27,7 @@ struct UiState {
   FileBrowser browser;
   CommandSearch search;
   ExportDialog exporting;
+  KeysDialog keys;
   bool opens_cheat_sheet = false;
   bool shows_about = false;
   bool shows_log = false;

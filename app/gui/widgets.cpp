@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/dialog_focus.h"
 #include "app/gui/short_text.h"
 #include "app/gui/tooltips.h"
 
@@ -109,10 +110,14 @@ bool begin_dialog(const char* id, const Look& look, std::optional<ImVec2> size) 
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0F, std::floor(look.scale)));
   const bool is_open = ImGui::BeginPopupModal(id, nullptr, flags);
   ImGui::PopStyleVar(3);
+  if (is_open) begin_tab_stops();
   return is_open;
 }
 
-void end_dialog() { ImGui::EndPopup(); }
+void end_dialog() {
+  end_tab_stops();
+  ImGui::EndPopup();
+}
 
 void title_text(const char* words, const Look& look) {
   ImGui::PushFont(look.fonts.title);
@@ -123,14 +128,16 @@ void title_text(const char* words, const Look& look) {
 
 void begin_controls(const char* id, const ImVec2& size, const Look& look) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{look.px(4), look.px(2)});
-  ImGui::BeginChild(id, size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild(id, size, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
   ImGui::PopStyleVar();
 }
 
 void begin_rows(const ImVec2& size, const Look& look) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       ImVec2{ImGui::GetStyle().ItemSpacing.x, look.px(3)});
-  ImGui::BeginChild("rows", size, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild("rows", size, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
   ImGui::PopStyleVar();
 }
 

@@ -17,7 +17,8 @@ TEST(Commands, NamesAndShortcutsAreThereOnce) {
     EXPECT_FALSE(command.menu.empty()) << command.name;
     for (const Shortcut& shortcut : command.shortcuts) {
       EXPECT_TRUE(shortcuts.insert(words_of(shortcut)).second) << words_of(shortcut);
-      EXPECT_EQ(find_command(shortcut), &command);
+      EXPECT_EQ(Keymap().command_of(shortcut), command.name);
+      EXPECT_EQ(shortcut_of(words_of(shortcut)), shortcut);
     }
     EXPECT_EQ(find_command(command.name), &command);
   }

@@ -234,25 +234,44 @@ void find_overlaps(const Sheet& sheet, std::vector<std::string>& defects) {
     }
 }
 
-}  // namespace
-
-std::vector<std::string> drawing_defects() {
-  std::vector<std::string> defects;
+/// All texts in the order in which they were drawn.
+Sheet read_windows(std::vector<std::string>& defects) {
+  Sheet texts;
   const GlyphPlaces glyphs(*ImGui::GetIO().Fonts);
   const ImDrawData& data = *ImGui::GetDrawData();
-  std::map<const ImGuiWindow*, Sheet> sheets;
   for (const ImDrawList* list :
        std::span(data.CmdLists, static_cast<std::size_t>(data.CmdListsCount))) {
     const ImGuiWindow* window =
         list->_OwnerName ? ImGui::FindWindowByName(list->_OwnerName) : nullptr;
     if (!window || window->DrawList != list) continue;  // the canvas: pictures, not panels
     WindowReader reader(*list, *window, glyphs, defects);
-    const ImGuiWindow* root = window->RootWindow;
-    Sheet& sheet = sheets[covers_others(*root) ? root : nullptr];
-    for (const Words& words : reader.read()) sheet.emplace_back(window, words);
+    for (const Words& words : reader.read()) texts.emplace_back(window, words);
+  }
+  return texts;
+}
+
+}  // namespace
+
+std::vector<std::string> drawing_defects() {
+  std::vector<std::string> defects;
+  std::map<const ImGuiWindow*, Sheet> sheets;
+  for (const auto& text : read_windows(defects)) {
+    const ImGuiWindow* root = text.first->RootWindow;
+    sheets[covers_others(*root) ? root : nullptr].push_back(text);
   }
   for (const auto& [root, sheet] : sheets) find_overlaps(sheet, defects);
   return defects;
+}
+
+std::optional<ImVec2> place_of_words(const std::string& words) {
+  std::string wanted = words;
+  std::erase(wanted, ' ');  // blanks are not drawn
+  std::vector<std::string> ignored;
+  std::optional<ImVec2> place;
+  for (const auto& [window, text] : read_windows(ignored))
+    if (text.text == wanted)
+      place = {(text.seen.low.x + text.seen.high.x) / 2, (text.seen.low.y + text.seen.high.y) / 2};
+  return place;
 }
 
 }  // namespace foldless::test

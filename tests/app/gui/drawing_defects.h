@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <imgui.h>
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,5 +14,9 @@ namespace foldless::test {
 /// What scrolls may be cut along that direction; popups, dialogs and messages may cover what is
 /// below.
 std::vector<std::string> drawing_defects();
+
+/// The middle of a text that was drawn last, in framebuffer pixels: of the topmost one with these
+/// words, if there is any.
+std::optional<ImVec2> place_of_words(const std::string& words);
 
 }  // namespace foldless::test

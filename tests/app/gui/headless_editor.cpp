@@ -121,6 +121,12 @@ std::map<std::string, Image> HeadlessEditor::play(const std::string& lines) {
   return pictures;
 }
 
+std::optional<Vec2> HeadlessEditor::find_words(const std::string& words) const {
+  const auto place = place_of_words(words);
+  if (!place) return std::nullopt;
+  return Vec2(place->x, place->y) / content_scale_;
+}
+
 Vec2 HeadlessEditor::window_point(const Vec2& world) const {
   const Rectangle& canvas = ui_.layout().canvas;
   const Vec2 pixel = editor_.canvas().to_pixel(world) + Vec2(canvas.x, canvas.y);

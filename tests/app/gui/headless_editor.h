@@ -52,6 +52,8 @@ class HeadlessEditor {
   /// editor has come to rest. Returns its pictures by their names.
   std::map<std::string, Image> play(const std::string& lines);
 
+  /// Where words are on screen, the topmost ones; nothing: nowhere.
+  std::optional<Vec2> find_words(const std::string& words) const;
   /// Where a point of the mesh's plane is in the window.
   Vec2 window_point(const Vec2& world) const;
   /// The newest position of a vertex.
