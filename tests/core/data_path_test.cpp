@@ -23,7 +23,7 @@ class DataFolder {
 };
 
 TEST(DataPath, AProgramThatIsNotInstalledFindsTheSourceTree) {
-  EXPECT_TRUE(std::filesystem::exists(data_path("shaders/fill.frag")));
+  EXPECT_TRUE(std::filesystem::exists(data_path("shaders/fill.vert")));
 }
 
 TEST(DataPath, TheVariableComesFirst) {

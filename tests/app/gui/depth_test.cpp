@@ -81,13 +81,12 @@ TEST_F(Depth, OverlaysHiddenOneLimbIsStillWhole) {
 TEST_F(Depth, TheFieldOfTheSelectedHandlesTakesANumberWithEnter) {
   editor().selection().select({0, 1});
   headless_.settle();
-  // The last field of the inspector.
-  for (double y = 455; y < 490 && depth(0) != 2.5; y += 10) {
-    headless_.click({140, y});
-    headless_.key(Key::a, {.control = true});
-    headless_.type("2.5");
-    headless_.key(Key::enter);
-  }
+  const auto words = headless_.find_words("Depth");
+  ASSERT_TRUE(words);
+  headless_.click(*words + Vec2(80, 5));
+  headless_.key(Key::a, {.control = true});
+  headless_.type("2.5");
+  headless_.key(Key::enter);
   EXPECT_EQ(depth(0), 2.5);
   EXPECT_EQ(depth(1), 2.5) << "of all selected handles";
 }
