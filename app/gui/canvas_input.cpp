@@ -10,11 +10,12 @@
 namespace foldless {
 namespace {
 
-/// Keys belong to a dialog or a text field while there is one.
-bool is_keyboard_taken() {
-  return ImGui::GetIO().WantTextInput ||
-         ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+bool is_popup_open() {
+  return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
+
+/// Keys belong to a dialog or a text field while there is one.
+bool is_keyboard_taken() { return ImGui::GetIO().WantTextInput || is_popup_open(); }
 
 }  // namespace
 
@@ -25,7 +26,8 @@ bool CanvasInput::is_on_canvas(const Vec2& position) const {
 }
 
 bool CanvasInput::takes(const PointerPressed& event) {
-  if (held_buttons_ == 0 && !is_on_canvas(event.position)) return false;
+  // A press beside an open menu closes that, and does no more.
+  if (held_buttons_ == 0 && (!is_on_canvas(event.position) || is_popup_open())) return false;
   ++held_buttons_;
   return true;
 }
@@ -47,6 +49,21 @@ void CanvasInput::leave(Editor& editor, double time) {
   pointer_.reset();
 }
 
+/// A click of it, which drags nothing, asks for the menu.
+void CanvasInput::follow_right_button(const InputEvent& event, Editor& editor, UiState& state) {
+  if (const auto* press = std::get_if<PointerPressed>(&event)) {
+    right_press_.reset();
+    if (press->button == Button::right && editor.input().is_idle()) right_press_ = press->position;
+  } else if (const auto* move = std::get_if<PointerMoved>(&event)) {
+    const double dragged = right_press_ ? (move->position - *right_press_).norm() : 0;
+    if (dragged > editor.canvas().drag_threshold()) right_press_.reset();
+  } else if (const auto* release = std::get_if<PointerReleased>(&event)) {
+    if (release->button != Button::right || !right_press_) return;
+    right_press_.reset();
+    if (!editor.document().is_empty()) state.context_menu.open(editor);
+  }
+}
+
 void CanvasInput::route(const InputEvent& event, Editor& editor, UiState& state, double time) {
   std::visit(
       [&](const auto& e) {
@@ -56,13 +73,14 @@ void CanvasInput::route(const InputEvent& event, Editor& editor, UiState& state,
           E on_canvas = e;
           on_canvas.position -= Vec2(canvas_.x, canvas_.y);
           pointer_ = on_canvas.position;
+          follow_right_button(on_canvas, editor, state);
           editor.receive(on_canvas, time);
         } else if constexpr (std::is_same_v<E, KeyPressed>) {
           if (is_keyboard_taken()) return;
           const auto command = editor.keys().command_of({e.key, e.modifiers});
           if (e.is_repeat || !run_interface_command(command, state)) editor.receive(e, time);
         } else {
-          if constexpr (std::is_same_v<E, FocusLost>) held_buttons_ = 0;
+          if constexpr (std::is_same_v<E, FocusLost>) held_buttons_ = 0, right_press_.reset();
           editor.receive(e, time);
         }
       },

@@ -29,8 +29,12 @@ class CanvasInput {
   bool takes(const PointerReleased& event);
   bool takes(const WheelTurned& event);
   void leave(Editor& editor, double time);
+  void follow_right_button(const InputEvent& event, Editor& editor, UiState& state);
 
   Rectangle canvas_;
+  /// Where the right button went down on the canvas while nothing else was done, until it is
+  /// dragged.
+  std::optional<Vec2> right_press_;
   int held_buttons_ = 0;  ///< pressed on the canvas and not yet let go
   std::optional<Vec2> pointer_;
   CursorShape cursor_ = CursorShape::arrow;

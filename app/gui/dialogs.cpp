@@ -96,6 +96,7 @@ void draw_dialogs(Editor& editor, const PanelContext& context) {
   draw_message_log(editor, context);
   state.keys.draw(editor, context.look);
   draw_about(context);
+  state.context_menu.draw(editor, context.look);
   draw_dialog_focus(context.look);
 }
 

@@ -3,19 +3,13 @@
 #include <string>
 
 #include "app/editor/commands.h"
+#include "app/gui/command_item.h"
 #include "app/gui/interface_commands.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
 namespace {
-
-void draw_command(const Command& command, Editor& editor) {
-  const bool checked = command.is_checked && command.is_checked(editor);
-  if (ImGui::MenuItem(std::string(command.title).c_str(), editor.keys().words(command.name).c_str(),
-                      checked, is_available(command, editor)))
-    editor.run_command(command.name);
-}
 
 void draw_samples(Editor& editor, const PanelContext& context) {
   if (!ImGui::BeginMenu("Samples", !context.state.samples.empty())) return;
@@ -90,7 +84,7 @@ void draw_menu_bar(Editor& editor, const PanelContext& context) {
   for (const char* menu : {"File", "Edit", "Handles", "Solve", "View", "Help"}) {
     if (!ImGui::BeginMenu(menu)) continue;
     for (const Command& command : commands())
-      if (command.menu == menu) draw_command(command, editor);
+      if (command.menu == menu) draw_command_item(command, editor);
     draw_extras(menu, editor, context);
     ImGui::EndMenu();
   }

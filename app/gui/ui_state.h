@@ -9,6 +9,7 @@
 
 #include "app/editor/input.h"
 #include "app/gui/command_search.h"
+#include "app/gui/context_menu.h"
 #include "app/gui/export_dialog.h"
 #include "app/gui/file_browser.h"
 #include "app/gui/keys_dialog.h"
@@ -28,6 +29,7 @@ struct UiState {
   CommandSearch search;
   ExportDialog exporting;
   KeysDialog keys;
+  ContextMenu context_menu;
   bool opens_cheat_sheet = false;
   bool shows_about = false;
   bool shows_log = false;
