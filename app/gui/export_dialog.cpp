@@ -41,6 +41,7 @@ constexpr std::array<Format, 7> kFormats{{
 void ExportDialog::open(const Editor& editor) {
   opens_now_ = true;
   job_.picture.layers = exported_layers(editor);
+  job_.picture.is_transparent = is_transparent_.value_or(!editor.document().texture.empty());
 }
 
 void ExportDialog::repeat(const Editor& editor) {
@@ -95,7 +96,8 @@ void ExportDialog::draw_picture_options(const Editor& editor, const Look& look) 
     }
   }
   draw_free_size(editor, look);
-  ImGui::Checkbox("Transparent background", &job_.picture.is_transparent);
+  if (ImGui::Checkbox("Transparent background", &job_.picture.is_transparent))
+    is_transparent_ = job_.picture.is_transparent;
   ImGui::Spacing();
   dim_text("Layers", look);
   if (!ImGui::BeginTable("layers", 2)) return;

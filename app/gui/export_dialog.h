@@ -34,6 +34,8 @@ class ExportDialog {
 
   int format_ = 0;  ///< row of the formats
   ExportJob job_;
+  /// What the user chose; until then a drawing is written with its transparency.
+  std::optional<bool> is_transparent_;
   std::optional<ExportJob> last_;
   std::optional<ExportJob> ordered_;
   bool opens_now_ = false;

@@ -73,7 +73,7 @@ class DialogFocus : public testing::Test {
     tab();  // to the second one; back from there
     std::vector<Stop> back = round(kHeldShift);
     std::ranges::reverse(back);
-    std::ranges::rotate(back, back.end() - 1);
+    std::rotate(back.begin(), back.end() - 1, back.end());
     ASSERT_EQ(back.size(), stops.size());
     for (std::size_t i = 0; i < stops.size(); ++i) EXPECT_EQ(back[i].id, stops[i].id) << i;
   }

@@ -37,6 +37,22 @@ TEST_F(ImageDialog, ShowsTheMeshBeforeItIsTaken) {
   EXPECT_TRUE(editor().document().is_empty());
 }
 
+TEST_F(ImageDialog, WhatWasADrawingIsExportedWithItsTransparency) {
+  open();
+  headless_.key(Key::enter);
+  headless_.calm_down();
+  headless_.key(Key::e, {.control = true});
+  headless_.key(Key::enter);
+  headless_.calm_down();
+  headless_.key(Key::a, {.control = true});
+  headless_.type((folder_.path() / "out.png").string());
+  headless_.key(Key::enter);
+  headless_.calm_down();
+  const Image written = load_image(folder_.path() / "out.png");
+  EXPECT_EQ(written.at(0, 0)[3], 0);
+  EXPECT_EQ(written.width, headless_.canvas_picture().width);
+}
+
 TEST_F(ImageDialog, EnterShowsThePictureAloneAndTabTheMesh) {
   open();
   headless_.key(Key::enter);
