@@ -149,6 +149,7 @@ pid_t start_session(const fs::path& folder) {
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
   unsetenv("GTEST_TOTAL_SHARDS");
+  unsetenv("GTEST_SHARD_INDEX");
   unsetenv("TEST_PREMATURE_EXIT_FILE");
   execl("/proc/self/exe", "gui_tests", "--gtest_filter=KilledSession.DISABLED_Works",
         "--gtest_also_run_disabled_tests", nullptr);
