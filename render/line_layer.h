@@ -9,7 +9,7 @@
 
 namespace foldless {
 
-/// Antialiased segments of constant width on screen.
+/// Antialiased segments of constant width on screen. They do not fade: that is for WireLayer.
 class LineLayer {
  public:
   explicit LineLayer(const std::filesystem::path& shader_folder);

@@ -110,8 +110,7 @@ void MeshLayer::upload_indices() {
   glBindVertexArray(faces_.id());
   upload(GL_ELEMENT_ARRAY_BUFFER, indices, GL_DYNAMIC_DRAW);
   indices.clear();
-  for (const EdgeSet set : {EdgeSet::interior, EdgeSet::boundary, EdgeSet::flipped})
-    append_lines(indices, set);
+  for (const EdgeSet set : {EdgeSet::boundary, EdgeSet::flipped}) append_lines(indices, set);
   glBindVertexArray(lines_.id());
   upload(GL_ELEMENT_ARRAY_BUFFER, indices, GL_DYNAMIC_DRAW);
   ++stats_.index_uploads;

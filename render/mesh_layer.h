@@ -59,7 +59,8 @@ class MeshLayer {
   std::size_t first_triangle(std::size_t sheet) const {
     return triangle_starts_[sheet * part_count_];
   }
-  /// GL_LINES of a set of edges in the pose of the last update. An edge of two sheets belongs to
+  /// GL_LINES of the boundary or of the flipped edges in the pose of the last update; those inside
+  /// are drawn by the triangles, see WireLayer. An edge of two sheets belongs to
   /// the one in front.
   void draw_edges(EdgeSet set, std::size_t sheet) const;
   /// GL_LINES of the boundary of the rest mesh.

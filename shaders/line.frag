@@ -3,7 +3,6 @@
 
 in vec2 along_across;
 flat in float segment_length;
-flat in float fade;
 
 uniform float half_width;   // pixels
 uniform float dash_length;  // pixels; 0: a solid line
@@ -24,6 +23,6 @@ void main() {
   if (beyond > 0.0) distance += 0.5;
   float coverage = clamp(half_width + 0.5 - distance, 0.0, min(1.0, 2.0 * half_width));
   if (dash_length > 0.0) coverage *= dashes(along_across.x);
-  float alpha = colour.a * coverage * fade;
+  float alpha = colour.a * coverage;
   fragment = vec4(colour.rgb * alpha, alpha);
 }

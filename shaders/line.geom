@@ -7,12 +7,10 @@ layout(triangle_strip, max_vertices = 4) out;
 
 uniform vec2 viewport;       // pixels
 uniform float half_width;    // pixels
-uniform float fade_length;   // pixels; shorter segments fade, 0: none do
 uniform int is_round;        // whether the ends are
 
 out vec2 along_across;       // pixels from the first end, pixels from the middle
 flat out float segment_length;
-flat out float fade;
 
 void corner(vec2 pixel, float along, float across) {
   along_across = vec2(along, across);
@@ -30,7 +28,6 @@ void main() {
   float reach = half_width + 1.0;
   float cap = is_round == 1 ? reach : 0.0;
   segment_length = len;
-  fade = fade_length > 0.0 ? clamp(len / fade_length, 0.15, 1.0) : 1.0;
   corner(a - cap * direction - reach * normal, -cap, -reach);
   corner(b + cap * direction - reach * normal, len + cap, -reach);
   corner(a - cap * direction + reach * normal, -cap, reach);

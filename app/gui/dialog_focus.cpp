@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/editor/input.h"
+#include "app/gui/key_press.h"
 
 namespace foldless {
 namespace {
@@ -23,13 +24,7 @@ bool is_pressed(Key key, bool repeats) {
 }
 
 /// Used once: neither the dialog nor a control sees it.
-bool uses_press(Key key) {
-  if (!is_pressed(key, false)) return false;
-  ImGuiIO& io = ImGui::GetIO();
-  io.KeysDown[static_cast<int>(key)] = false;
-  io.KeysDownDuration[static_cast<int>(key)] = -1;
-  return true;
-}
+bool uses_press(Key key) { return take_press(static_cast<int>(key)); }
 
 bool is_modal(const ImGuiWindow& window) { return (window.Flags & ImGuiWindowFlags_Modal) != 0; }
 

@@ -6,29 +6,17 @@
 #include <algorithm>
 
 #include "app/gui/dialog_focus.h"
+#include "app/gui/key_press.h"
 
 namespace foldless {
 namespace {
 
 constexpr int kPage = 10;  // rows
 
-/// Until it is let go and pressed anew, as its repeats do not press it.
-void forget_key(int index) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.KeysDown[index] = false;
-  io.KeysDownDuration[index] = -1;
-}
-
 void forget_held_keys() {
   const ImGuiIO& io = ImGui::GetIO();
   for (int index = 0; index < IM_ARRAYSIZE(io.KeysDown); ++index)
     if (io.KeysDownDuration[index] > 0) forget_key(index);
-}
-
-bool take_press(int index) {
-  if (!ImGui::IsKeyPressed(index, false)) return false;
-  forget_key(index);
-  return true;
 }
 
 /// In the frame in which it appears, the key press is the one that opened it.

@@ -37,10 +37,11 @@ void read_preset(const nlohmann::json& name, KeyChoice& choice) {
   choice.preset = name.get<std::string>();
 }
 
-void read_change(const std::string& command, const nlohmann::json& words, KeyChoice& choice) {
+void read_change(const std::string& command, const nlohmann::json& words, const Keymap& keymap,
+                 KeyChoice& choice) {
   try {
     const std::vector<Shortcut> keys = read_shortcuts(words);
-    if (const std::string problem = all_keys().problem_of(command, keys); !problem.empty())
+    if (const std::string problem = keymap.problem_of(command, keys); !problem.empty())
       throw Error(problem);
     refuse_doubles(keys, choice);
     choice.changes[command] = keys;
@@ -64,6 +65,7 @@ std::pair<KeyChoice, std::string> read_keys(const nlohmann::json& json) {
   if (!json.is_object()) return {{}, "\"keys\" is no object; the program's own are in force."};
   std::pair<KeyChoice, std::string> read;
   auto& [choice, problem] = read;
+  const Keymap keymap = all_keys();
   std::size_t others = 0;
   const auto attempt = [&read, &others](const auto& action) {
     try {
@@ -79,7 +81,7 @@ std::pair<KeyChoice, std::string> read_keys(const nlohmann::json& json) {
     attempt([&] { read_preset(*preset, read.first); });
   if (const auto changes = json.find("changes"); changes != json.end())
     for (const auto& entry : changes->items())
-      attempt([&] { read_change(entry.key(), entry.value(), read.first); });
+      attempt([&] { read_change(entry.key(), entry.value(), keymap, read.first); });
   if (others > 0) problem += " More that is of no use: " + std::to_string(others) + ".";
   return read;
 }

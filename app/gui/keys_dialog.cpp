@@ -37,18 +37,6 @@ bool matches(const KeyRow& row, const Keymap& keymap, const std::string& search)
   return matches_filter(words, search);
 }
 
-void draw_title(const KeyRow& row, bool is_changed, const Look& look) {
-  const float room = look.px(10);
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (is_changed)
-    ImGui::GetWindowDrawList()->AddCircleFilled(
-        {corner.x + room / 2 - look.px(1), corner.y + ImGui::GetFrameHeight() / 2}, look.px(2.2F),
-        packed(look.palette->accent));
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(row.title.c_str());
-}
-
 void draw_presets(Keymap& keymap, const Look& look) {
   const KeyPreset* current = find_key_preset(keymap.choice().preset);
   ImGui::SetNextItemWidth(look.px(130));
@@ -131,7 +119,7 @@ void KeysDialog::draw_row(const KeyRow& row, Keymap& keymap, const Look& look) {
   ImGui::PushID(row.name.c_str());
   ImGui::TableNextColumn();
   const bool is_changed = keymap.is_changed(row.name);
-  draw_title(row, is_changed, look);
+  label_of_choice(row.title, is_changed, look);
   ImGui::TableNextColumn();
   const std::string words = words_of(keymap.keys(row.name));
   if (row.is_fixed) {

@@ -89,24 +89,24 @@ bool Scenes::follow_texture(Editor& editor) {
   const auto image = preview ? preview->image : editor.files().texture_image().image();
   const auto place = box_of(preview ? preview->image_box : editor.document().texture_box);
   const auto& parts = preview ? preview->parts : editor.document().parts;
-  bool is_new = parts != parts_;
+  const bool has_new_parts = parts != parts_;
+  const bool has_new_image = image != image_ || place != place_;
   parts_ = parts;
   canvas_.set_parts(parts_);
   for (const auto& lane : lanes_) lane->set_parts(parts_);
-  is_new = is_new || image != image_ || place != place_;
-  if (image == image_ && place == place_) return is_new;
+  if (!has_new_image) return has_new_parts;
   image_ = image;
   place_ = place;
   canvas_.clear_texture();
   for (const auto& lane : lanes_) lane->clear_texture();
-  if (!image) return is_new;
+  if (!image) return true;
   try {
     canvas_.set_texture(*image, place);
     for (const auto& lane : lanes_) lane->set_texture(*image, place);
   } catch (const Error& error) {
     editor.messages().toast(ToastKind::error, error.what());
   }
-  return is_new;
+  return true;
 }
 
 }  // namespace foldless

@@ -70,19 +70,6 @@ bool draw_slider(const ParameterRow& row, double& value, const Look& look) {
   return changed;
 }
 
-/// A dot before the names of values that were changed; the others leave room for it.
-void draw_label(const ParameterRow& row, bool changed, const Look& look) {
-  const float room = look.px(8);
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (changed)
-    ImGui::GetWindowDrawList()->AddCircleFilled(
-        {corner.x + room / 2 - look.px(1), corner.y + ImGui::GetFrameHeight() / 2}, look.px(2.2F),
-        packed(look.palette->accent));
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(row.title.data(), row.title.data() + row.title.size());
-}
-
 void draw_choice(const ParameterRow& row, double value, Editor& editor) {
   const auto current = static_cast<std::size_t>(value);
   if (!begin_combo("##value", row.choices[current].data())) return;
@@ -127,7 +114,7 @@ void draw_parameter(const ParameterRow& row, Editor& editor, const Look& look) {
   const std::string words = tooltip_words(row, document.parameters, *document.energy);
   ImGui::PushID(row.name.data());
   ImGui::TableNextColumn();
-  draw_label(row, changed, look);
+  label_of_choice(row.title, changed, look);
   tooltip(words, look);
   ImGui::TableNextColumn();
   const float side = ImGui::GetFrameHeight();

@@ -60,6 +60,18 @@ bool section(const char* title, bool is_open, const Look& look) {
   return is_open;
 }
 
+void label_of_choice(std::string_view words, bool is_changed, const Look& look) {
+  const float room = look.px(8);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  if (is_changed)
+    ImGui::GetWindowDrawList()->AddCircleFilled(
+        {corner.x + room / 2 - look.px(1), corner.y + ImGui::GetFrameHeight() / 2}, look.px(2.2F),
+        packed(look.palette->accent));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+}
+
 void dim_text(const std::string& text, const Look& look) {
   ImGui::PushFont(look.fonts.small);
   ImGui::PushStyleColor(ImGuiCol_Text, look.palette->dim);

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/gui/icons.h"
 #include "app/gui/look.h"
@@ -28,6 +29,10 @@ bool main_button(const char* label, const Look& look);
 
 /// A heading that folds its section away, or opens it; returns whether it is open now.
 bool section(const char* title, bool is_open, const Look& look);
+
+/// The name of what is chosen in the control beside it, with a dot before it where that was
+/// changed; the others leave room for the dot.
+void label_of_choice(std::string_view words, bool is_changed, const Look& look);
 
 /// One line of secondary text, cut at the end when it does not fit.
 void dim_text(const std::string& text, const Look& look);

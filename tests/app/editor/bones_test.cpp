@@ -7,6 +7,7 @@
 #include "app/editor/handle_edits.h"
 #include "app/editor/turning.h"
 #include "tests/app/editor/editor_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
 namespace {
@@ -52,6 +53,17 @@ TEST_F(EditorBones, AreMadeInTheOrderOfTheSelection) {
   EXPECT_EQ(steps(), before + 1) << "they are there";
   key(Key::z, kControl);
   EXPECT_TRUE(bones().empty());
+}
+
+TEST_F(EditorBones, AreSomethingToSave) {
+  TemporaryFolder folder;
+  ASSERT_TRUE(editor_->files().save_as(folder / "bones.json"));
+  const Document saved = editor_->document();
+  make(2);
+  EXPECT_TRUE(editor_->files().is_dirty());
+  Document other = saved;
+  other.rig = editor_->document().rig;
+  EXPECT_FALSE(is_same_content(saved, other));
 }
 
 TEST_F(EditorBones, OneHandleIsNoChain) {
