@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -236,7 +237,8 @@ void run_paper(const BenchCall& call, const Interrupt& interrupt) {
 
 int bench(const BenchCall& call) {
   const Interrupt interrupt;
-  if (call.folder) make_folder(*call.folder);
+  std::optional<MadeFolder> folder;
+  if (call.folder) folder.emplace(*call.folder);
   if (call.suite == "paper")
     run_paper(call, interrupt);
   else if (call.suite == "scale")

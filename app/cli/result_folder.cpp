@@ -93,14 +93,21 @@ void make_folder(const fs::path& folder) {
   if (!fs::is_directory(folder)) refuse(folder, "is not a folder");
 }
 
+MadeFolder::MadeFolder(fs::path folder)
+    : folder_(std::move(folder)), was_made_(!fs::exists(folder_)) {
+  make_folder(folder_);
+}
+
+MadeFolder::~MadeFolder() {
+  if (was_made_) ::rmdir(folder_.c_str());
+}
+
 fs::path newest_of_result(const fs::path& file) {
   const fs::path newer = file.parent_path() / kCommitted / file.filename();
   return fs::exists(newer) ? newer : file;
 }
 
-ResultFolder::ResultFolder(fs::path folder)
-    : folder_(std::move(folder)), was_made_(!fs::exists(folder_)) {
-  make_folder(folder_);
+ResultFolder::ResultFolder(fs::path folder) : folder_(std::move(folder)), made_(folder_) {
   if (!lock_.take(folder_))
     refuse(folder_, "another run is writing into this folder; wait for it or choose another");
   earlier_ = read_manifest(folder_);
@@ -112,10 +119,7 @@ ResultFolder::ResultFolder(fs::path folder)
   if (failure) refuse(folder_, "cannot be written to: " + failure.message());
 }
 
-ResultFolder::~ResultFolder() {
-  remove_own(staged());
-  if (was_made_) ::rmdir(folder_.c_str());
-}
+ResultFolder::~ResultFolder() { remove_own(staged()); }
 
 fs::path ResultFolder::staged() const { return folder_ / kStaged; }
 

@@ -23,6 +23,21 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
+/// A folder that is there while this lives, and afterwards when something was put into it.
+class MadeFolder {
+ public:
+  /// Makes it, and those above it, where it is not there. Throws Error when it cannot be made.
+  explicit MadeFolder(std::filesystem::path folder);
+  /// Removes it where it was made and nothing is in it.
+  ~MadeFolder();
+  MadeFolder(const MadeFolder&) = delete;
+  MadeFolder& operator=(const MadeFolder&) = delete;
+
+ private:
+  std::filesystem::path folder_;
+  bool was_made_;
+};
+
 /// The folder of a result, which is replaced as a whole.
 ///
 /// Everything is written into `.foldless-staged` inside the folder first, with a manifest of what
@@ -65,7 +80,7 @@ class ResultFolder {
   void remove_obsolete(const Manifest& manifest) const;
 
   std::filesystem::path folder_;
-  bool was_made_;
+  MadeFolder made_;
   FolderLock lock_;
   Manifest earlier_;  ///< what the result before consists of
 };

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <random>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "core/error.h"
@@ -19,6 +22,9 @@ namespace fs = std::filesystem;
 
 /// Of a file that is read: a mesh of ten million triangles has less.
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+
+/// For somebody to write into a pipe that is read.
+constexpr std::chrono::seconds kLongestWait{5};
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
@@ -52,6 +58,7 @@ class Descriptor {
   ~Descriptor() {
     if (number_ >= 0) ::close(number_);
   }
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
 
@@ -75,24 +82,42 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// Permissions of the file that is replaced, or those that a new file would have.
-mode_t wanted_mode(const fs::path& file) {
+/// `folder/.name.` and six characters, which are not the name of any file. A name that is nearly as
+/// long as names may be is cut.
+fs::path temporary_name(const fs::path& file) {
+  constexpr std::size_t kMostOfName = 200;
+  constexpr std::string_view kCharacters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::random_device random;
+  std::string name = '.' + file.filename().string().substr(0, kMostOfName) + '.';
+  for (int i = 0; i < 6; ++i) name += kCharacters[random() % kCharacters.size()];
+  return file.parent_path() / name;
+}
+
+/// Makes a file that was not there, with the permissions of the one that is to be replaced, or else
+/// those that a new file gets; its name stays in `temporary`, empty when it could not be made. (Not
+/// mkstemp: what a new file gets can only be asked of the whole process, by changing it.)
+Descriptor make_beside(const fs::path& file, fs::path& temporary) {
+  int number = -1;
+  do {
+    temporary = temporary_name(file);
+    number = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (number < 0 && errno == EEXIST);
+  if (number < 0) temporary.clear();
+  return Descriptor(number);
+}
+
+int keep_permissions(const fs::path& file, int descriptor) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) == 0) return status.st_mode & 07777;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
+  if (::stat(file.c_str(), &status) != 0) return 0;
+  return ::fchmod(descriptor, status.st_mode & 07777) == 0 ? 0 : errno;
 }
 
 /// Writes a new file under a name of its own beside `file`; its name stays in `temporary`.
-int write_beside(const fs::path& file, std::string_view bytes, std::string& temporary) {
-  Descriptor out(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (!out.is_open()) {
-    temporary.clear();
-    return errno;
-  }
+int write_beside(const fs::path& file, std::string_view bytes, fs::path& temporary) {
+  Descriptor out = make_beside(file, temporary);
+  if (!out.is_open()) return errno;
   if (const int error = write_all(out.number(), bytes)) return error;
-  if (::fchmod(out.number(), wanted_mode(file)) != 0) return errno;
+  if (const int error = keep_permissions(file, out.number())) return error;
   if (::fsync(out.number()) != 0) return errno;
   return out.close();
 }
@@ -105,15 +130,33 @@ void write_in_place(const fs::path& file, std::string_view bytes) {
   if (error != 0) refuse_writing(file, error);
 }
 
+/// Waits until somebody writes into a pipe; a character that was read on the way goes to `bytes`.
+void wait_for_writer(const fs::path& file, int descriptor, std::string& bytes) {
+  using namespace std::chrono_literals;
+  char first = 0;
+  for (auto waited = 0ms; waited < kLongestWait; waited += 20ms) {
+    const ssize_t n = ::read(descriptor, &first, 1);
+    if (n > 0) bytes += first;
+    if (n != 0) return;  // without a writer a pipe is at its end
+    std::this_thread::sleep_for(20ms);
+  }
+  throw Error(file.string() + ": is a pipe that nobody writes to; begin the program that does");
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& file) {
-  const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  // Without O_NONBLOCK a pipe is opened when somebody opens its other end, perhaps never.
+  const Descriptor in(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!in.is_open()) refuse_reading(file, errno);
   std::string bytes;
   struct stat status {};
-  if (::fstat(in.number(), &status) == 0 && S_ISREG(status.st_mode))
-    bytes.reserve(std::min(static_cast<std::size_t>(status.st_size), kMostBytes));
+  if (::fstat(in.number(), &status) == 0) {
+    if (S_ISREG(status.st_mode))
+      bytes.reserve(std::min(static_cast<std::size_t>(status.st_size), kMostBytes));
+    if (S_ISFIFO(status.st_mode)) wait_for_writer(file, in.number(), bytes);
+  }
+  ::fcntl(in.number(), F_SETFL, O_RDONLY);  // what comes later is waited for
   char block[1 << 16];
   for (;;) {
     const ssize_t n = ::read(in.number(), block, sizeof block);
@@ -136,8 +179,7 @@ void write_file_atomically(const fs::path& file, std::string_view bytes) {
   const fs::path resolved = fs::weakly_canonical(file, ignored);
   const fs::path target = ignored ? file : resolved;
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  std::string temporary = (folder / ".").string();
-  temporary.append(target.filename().string()).append(".XXXXXX");
+  fs::path temporary;
   int error = write_beside(target, bytes, temporary);
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) {

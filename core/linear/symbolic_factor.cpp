@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <new>
 #include <span>
+
+#include "core/error.h"
 
 namespace foldless {
 namespace {
@@ -43,6 +46,9 @@ void expand_columns(const cholmod_factor& graph, cholmod_factor& factor) {
 void expand_supernodes(const cholmod_factor& graph, cholmod_factor& factor,
                        cholmod_common& common) {
   const std::size_t ends = graph.nsuper + 1;
+  // The library counts with int, as the places in `px` do.
+  if (graph.xsize > static_cast<std::size_t>(std::numeric_limits<int>::max()) / 4)
+    throw Error("the mesh has too many triangles for the solver; use a coarser one");
   factor.is_super = factor.is_ll = 1;
   factor.nsuper = graph.nsuper;
   factor.super = allocate(ends, common);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 
 #include "core/error.h"
 #include "core/files/text_lines.h"
@@ -81,13 +82,12 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool end_array() override { return close(); }
 
   bool key(std::string& key) override {
-    auto& object = std::get<JsonNode::Object>(open_.back()->value);
+    auto& object = std::get<JsonNode::Object>(open_.back().node->value);
     if (object.size() == kMaxKeys)
       refuse("an object has more than " + std::to_string(kMaxKeys) + " keys");
-    for (const auto& [known, value] : object)
-      if (known == key)
-        refuse("the key " + in_quotes(key) + " comes twice, first in line " +
-               std::to_string(value.line));
+    if (!open_.back().keys.insert(key).second)
+      refuse("the key " + in_quotes(key) + " comes twice, first in line " +
+             std::to_string(std::ranges::find(object, key, &JsonNode::Member::key)->value.line));
     object.emplace_back(key, JsonNode{});
     return true;
   }
@@ -102,10 +102,30 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     std::string words(what);
     std::ranges::replace_if(
         words, [](char c) { return c < ' ' || c > '~'; }, '?');
-    refuse("not JSON: " + words);
+    const std::string place = path();
+    refuse("not JSON: " + words + (place.empty() ? "" : ", in " + place));
   }
 
  private:
+  /// An array or object that is not closed yet. The node stays where it is until then.
+  struct Open {
+    JsonNode* node;
+    std::unordered_set<std::string> keys;  ///< of an object
+  };
+
+  /// What is being read, such as `handles[3].target[0]`.
+  std::string path() const {
+    std::string path;
+    for (const Open& open : open_) {
+      const bool is_innermost = &open == &open_.back();  // its next value is not in it yet
+      if (const auto* array = open.node->as<JsonNode::Array>())
+        path += '[' + std::to_string(array->size() - (is_innermost ? 0 : 1)) + ']';
+      if (const auto* object = open.node->as<JsonNode::Object>(); object && !object->empty())
+        path += (path.empty() ? "" : ".") + object->back().key;
+    }
+    return path;
+  }
+
   [[noreturn]] void refuse(const std::string& what) const {
     throw Error(name_ + ':' + std::to_string(lines_.of_last_token) + ": " + what);
   }
@@ -116,7 +136,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
       refuse("there are more than " + std::to_string(kMaxValues) + " values");
     JsonNode* node = &root;
     if (!open_.empty()) {
-      auto& parent = open_.back()->value;
+      auto& parent = open_.back().node->value;
       if (auto* array = std::get_if<JsonNode::Array>(&parent)) node = &array->emplace_back();
       if (auto* object = std::get_if<JsonNode::Object>(&parent)) node = &object->back().value;
     }
@@ -135,7 +155,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool open(Value value) {
     if (open_.size() == kMaxDepth)
       refuse("values are nested more than " + std::to_string(kMaxDepth) + " levels deep");
-    open_.push_back(&place(std::move(value)));
+    open_.push_back({&place(std::move(value)), {}});
     return true;
   }
 
@@ -146,8 +166,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   const std::string& name_;
   const LineCounter& lines_;
-  std::size_t count_ = 0;        ///< of values so far
-  std::vector<JsonNode*> open_;  ///< a node stays where it is until it is closed
+  std::size_t count_ = 0;  ///< of values so far
+  std::vector<Open> open_;
 };
 
 }  // namespace

@@ -51,6 +51,13 @@ double JsonValue::number_above_zero() const {
 bool JsonValue::boolean() const { return expect<bool>("true or false"); }
 const std::string& JsonValue::text() const { return expect<std::string>("a text"); }
 
+const std::string& JsonValue::path() const {
+  if (text().empty()) refuse("is '', but the path of a file is needed");
+  if (text().find('\0') != std::string::npos)
+    refuse("is " + shown() + ", with a character 0, which no name of a file can have");
+  return text();
+}
+
 int JsonValue::integer() const {
   const auto value = as_integer(*node_);
   if (!value) refuse("is " + shown() + ", but an integer is needed");

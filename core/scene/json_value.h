@@ -30,6 +30,8 @@ class JsonValue {
   int integer() const;
   bool boolean() const;
   const std::string& text() const;
+  /// A text that can name a file: not empty, no character 0.
+  const std::string& path() const;
   /// `[x, y]`
   Vec2 point() const;
   /// `[[x, y], …]` as 2 × #V.

@@ -32,9 +32,9 @@ HandleKind read_kind(const JsonValue& value) {
   return *kind;
 }
 
-int read_id(const JsonValue& value, const Ids& earlier) {
+int read_id(const JsonValue& value, std::set<int>& earlier) {
   const int id = value.integer();
-  if (std::ranges::find(earlier, std::optional(id)) != earlier.end())
+  if (!earlier.insert(id).second)
     value.refuse("is " + value.shown() + ", which an earlier handle has already");
   return id;
 }
@@ -48,15 +48,17 @@ StiffDisk read_stiff(const JsonValue& value) {
   return disk;
 }
 
-void name_handles(const Ids& ids, std::vector<Handle>& handles) {
-  std::set<int> taken;
-  for (const auto& id : ids)
-    if (id) taken.insert(*id);
+/// Every handle without an id gets the least one from its index on that is not taken.
+void name_handles(const Ids& ids, std::set<int> taken, std::vector<Handle>& handles) {
+  int free = 0;  // the ids from i to here are taken
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    int id = ids[i].value_or(static_cast<int>(i));
-    if (!ids[i])
-      while (!taken.insert(id).second) ++id;
-    handles[i].id = id;
+    if (ids[i]) {
+      handles[i].id = *ids[i];
+      continue;
+    }
+    free = std::max(free, static_cast<int>(i));
+    while (!taken.insert(free).second) ++free;
+    handles[i].id = free;
   }
 }
 
@@ -66,6 +68,7 @@ std::vector<Handle> read_handles(const JsonValue& handles, const std::vector<boo
   std::vector<bool> named(used_vertices.size(), false);
   std::vector<Handle> result;
   Ids ids;
+  std::set<int> taken;
   for (const JsonValue& item : handles.items()) {
     item.allow_only(
         {"vertex", "target", "id", "kind", "weight", "depth", "angle", "radius", "stiff", "name"});
@@ -80,10 +83,10 @@ std::vector<Handle> read_handles(const JsonValue& handles, const std::vector<boo
     if (const auto stiff = item.find("stiff")) handle.stiff = read_stiff(*stiff);
     if (const auto name = item.find("name")) handle.name = name->text();
     const auto id = item.find("id");
-    ids.push_back(id ? std::optional(read_id(*id, ids)) : std::nullopt);
+    ids.push_back(id ? std::optional(read_id(*id, taken)) : std::nullopt);
     result.push_back(handle);
   }
-  name_handles(ids, result);
+  name_handles(ids, std::move(taken), result);
   return result;
 }
 

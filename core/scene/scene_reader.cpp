@@ -22,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kDefaultEnergy = "arap";
+
 std::vector<int> lines_of_items(const JsonValue& array) {
   std::vector<int> lines;
   for (const JsonNode& item : *array.node().as<JsonNode::Array>()) lines.push_back(item.line);
@@ -44,6 +46,13 @@ TriangleSoup read_triangles(const JsonValue& vertices, const JsonValue& triangle
   return planar_triangles(std::move(soup));
 }
 
+/// True for pictures and the like: nothing that JSON allows, and no text of any kind, has such
+/// characters.
+bool is_binary(std::string_view text) {
+  return text.substr(0, 64).find_first_of(
+             std::string_view("\0\x1\x2\x3\x4\x5\x6\x7\x1a\xff", 10)) != text.npos;
+}
+
 /// Reads one scene file, key by key.
 class SceneReader {
  public:
@@ -51,16 +60,20 @@ class SceneReader {
       : file_(file), name_(file.string()), methods_(methods.begin(), methods.end()) {}
 
   LoadedScene read() {
-    const JsonNode node = parse_json(read_file(file_), name_);
+    if (is_mesh_file(file_)) throw Error(name_ + ": is a mesh, but a scene is needed");
+    const std::string bytes = read_file(file_);
+    if (is_binary(bytes)) throw Error(name_ + ": is no text, but a scene (JSON) is needed");
+    const JsonNode node = parse_json(bytes, name_);
     const JsonValue root(node, name_);
     read_version(root);
     root.allow_only({"version", "description", "mesh", "texture", "texture_box", "parts", "energy",
                      "stiffness", "handles", "bones", "mirror", "solver", "state"});
     scene_.folder = fs::absolute(file_).parent_path();
     if (const auto text = root.find("description")) scene_.description = text->text();
-    if (const auto path = root.find("texture")) scene_.texture_path = path->text();
+    if (const auto path = root.find("texture")) scene_.texture_path = path->path();
     if (const auto box = root.find("texture_box")) scene_.texture_box = read_box(*box);
-    read_energy(root.at("energy"));
+    scene_.energy = find_density(kDefaultEnergy);
+    if (const auto energy = root.find("energy")) read_energy(*energy);
     if (const auto strokes = root.find("stiffness")) read_stiffness(*strokes);
     if (const auto solver = root.find("solver")) read_solver(*solver);
     read_mesh_of(root.at("mesh"));
@@ -160,9 +173,11 @@ class SceneReader {
 
   void read_mesh_of(const JsonValue& mesh) {
     if (mesh.node().as<std::string>()) {
-      scene_.mesh_path = mesh.text();
-      if (scene_.mesh_path.empty()) mesh.refuse("is '', but the path of a mesh is needed");
-      LoadedMesh loaded = read_mesh(file_.parent_path() / scene_.mesh_path);
+      scene_.mesh_path = mesh.path();
+      const fs::path found = file_.parent_path() / scene_.mesh_path;
+      if (!fs::exists(found))
+        mesh.refuse("is " + mesh.shown() + ", but there is no file " + found.string());
+      LoadedMesh loaded = read_mesh(found);
       scene_.triangles = std::move(loaded.triangles);
       scene_.rest = std::move(loaded.points);
       notices_ = std::move(loaded.notices);
@@ -237,7 +252,7 @@ LoadedScene scene_from_mesh(const fs::path& file) {
   scene.mesh_path = file.filename().string();
   scene.triangles = std::move(mesh.triangles);
   scene.rest = std::move(mesh.points);
-  scene.energy = find_density("arap");
+  scene.energy = find_density(kDefaultEnergy);
   return {std::move(scene), std::move(mesh.notices)};
 }
 

@@ -116,6 +116,13 @@ TEST(Bench, InterruptedOrTerminatedItWritesWhatIsThere) {
   interrupt_bench_with(SIGTERM);
 }
 
+TEST(Bench, LeavesNoEmptyFolderWhereItCannotBegin) {
+  const TemporaryFolder folder;
+  const Ended ended = test::run({"bench", folder / "none.json", "-o", folder / "a/out"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a/out"));
+}
+
 TEST(Bench, RefusesWhatItDoesNotUnderstand) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"bench"},

@@ -6,7 +6,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
@@ -66,6 +69,46 @@ TEST(AtomicFile, LeavesNoTemporaryWhenTheTargetIsAFolder) {
   fs::create_directory(folder / "a");
   EXPECT_NE(error_of([&] { write_file_atomically(folder / "a", "text"); }), "");
   EXPECT_EQ(file_count(folder.path()), 1);
+}
+
+TEST(AtomicFile, WritesUnderTheLongestNameThatAFileCanHave) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / std::string(255, 'a');
+  write_file_atomically(file, "text");
+  EXPECT_EQ(read_file(file), "text");
+}
+
+TEST(AtomicFile, GivesANewFileThePermissionsThatNewFilesGet) {
+  const TemporaryFolder folder;
+  const mode_t before = ::umask(027);
+  write_file_atomically(folder / "a.txt", "text");
+  ::umask(before);
+  EXPECT_EQ(fs::status(folder / "a.txt").permissions(), fs::perms(0640));
+}
+
+TEST(AtomicFile, ReadsAPipeToWhichSomebodyWritesLateAndSlowly) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] {
+    const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(60)); };
+    wait();
+    std::ofstream out(pipe);
+    wait();
+    out << "first " << std::flush;
+    wait();
+    out << "second";
+  });
+  EXPECT_EQ(read_file(pipe), "first second");
+  writer.join();
+}
+
+TEST(AtomicFile, DoesNotWaitForEverForAWriterOfAPipe) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(error_of([&] { read_file(pipe); }),
+            pipe.string() + ": is a pipe that nobody writes to; begin the program that does");
 }
 
 TEST(AtomicFile, ReadsNoFileWithoutBound) {

@@ -52,6 +52,11 @@ TEST(JsonNode, RefusesAKeyThatComesTwice) {
             "a.json:3: the key 'a' comes twice, first in line 1");
 }
 
+TEST(JsonNode, TellsWhereInTheFileItIsNotJson) {
+  EXPECT_TRUE(
+      error_in_json(R"({"a": 1, "b": [{"c": 2}, {"d": [3, 4, x]}]})").ends_with(", in b[1].d[2]"));
+}
+
 TEST(JsonNode, RefusesDeepNesting) {
   EXPECT_EQ(error_in_json(std::string(100000, '[')),
             "a.json:1: values are nested more than 100 levels deep");

@@ -22,6 +22,11 @@ constexpr std::string_view kPlain =
     R"({"mesh": "square.obj", "energy": "lscm", "handles": [{"vertex": 2, "target": [1.5, -0.25]}],
        "solver": {"delta": 1e-05, "eta": 0.01}})";
 
+TEST(SceneIo, TakesArapWhereNoEnergyIsNamed) {
+  const SceneFolder folder;
+  EXPECT_EQ(folder.load(R"({"mesh": "square.obj"})").scene.energy, find_density("arap"));
+}
+
 /// Every key that a scene can have, the mesh inside.
 Scene full_scene() {
   Scene scene;

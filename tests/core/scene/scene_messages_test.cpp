@@ -34,9 +34,7 @@ TEST(SceneMessages, NameUnknownWords) {
 
 TEST(SceneMessages, NameMissingKeys) {
   const SceneFolder folder;
-  EXPECT_EQ(folder.error_in("{}"), "scene.json:1: the scene has no key 'energy', which is needed");
-  EXPECT_EQ(folder.error_in(R"({"energy": "arap"})"),
-            "scene.json:1: the scene has no key 'mesh', which is needed");
+  EXPECT_EQ(folder.error_in("{}"), "scene.json:1: the scene has no key 'mesh', which is needed");
   EXPECT_EQ(folder.error_with(R"("handles": [{"target": [0, 0]}])"),
             "scene.json:2: handles[0] has no key 'vertex', which is needed");
 }
@@ -121,8 +119,19 @@ TEST(SceneMessages, NameNumbersThatAreNotFinite) {
   const SceneFolder folder;
   EXPECT_TRUE(folder.error_with(R"("handles": [{"vertex": 1, "target": [1e999, 0]}])")
                   .starts_with("scene.json:2: not JSON: number overflow parsing '1e999'"));
-  EXPECT_TRUE(
-      folder.error_with(R"("solver": {"delta": NaN})").starts_with("scene.json:2: not JSON: "));
+  const std::string error = folder.error_with(R"("handles": [{"vertex": 1, "target": [0, NaN]}])");
+  EXPECT_TRUE(error.starts_with("scene.json:2: not JSON: ")) << error;
+  EXPECT_TRUE(error.ends_with(", in handles[0].target[1]")) << error;
+}
+
+TEST(SceneMessages, TellMeshesAndPicturesFromScenes) {
+  const SceneFolder folder;
+  const auto error = [&](const std::string& name, const std::string& bytes) {
+    return test::error_of([&] { load_scene(folder.folder().write(name, bytes), {}); });
+  };
+  EXPECT_TRUE(error("a.obj", "v 0 0\n").ends_with("a.obj: is a mesh, but a scene is needed"));
+  EXPECT_TRUE(error("a.png", "\x89PNG\r\n\x1a\n")
+                  .ends_with("a.png: is no text, but a scene (JSON) is needed"));
 }
 
 TEST(SceneMessages, NameBothVersions) {
@@ -135,13 +144,15 @@ TEST(SceneMessages, NameBothVersions) {
 
 TEST(SceneMessages, NameTheMeshFile) {
   const SceneFolder folder;
-  EXPECT_TRUE(folder.error_in(R"({"mesh": "gone.obj", "energy": "arap"})")
-                  .starts_with("gone.obj: cannot be read: "));
+  EXPECT_EQ(folder.error_in(R"({"mesh": "gone.obj", "energy": "arap"})"),
+            "scene.json:1: mesh is 'gone.obj', but there is no file gone.obj");
+  EXPECT_TRUE(folder.error_in(R"({"mesh": "square.obj\u0000", "energy": "arap"})")
+                  .ends_with("with a character 0, which no name of a file can have"));
   folder.folder().write("bad.obj", "v 0 0\nv 1 0\nv x 1\nf 1 2 3\n");
   EXPECT_TRUE(folder.error_in(R"({"mesh": "bad.obj", "energy": "arap"})")
                   .starts_with("bad.obj:3: vertex 3 has the coordinate 'x'"));
   EXPECT_EQ(folder.error_in(R"({"mesh": "", "energy": "arap"})"),
-            "scene.json:1: mesh is '', but the path of a mesh is needed");
+            "scene.json:1: mesh is '', but the path of a file is needed");
 }
 
 TEST(SceneMessages, NameWhatIsWrongWithAnInlineMesh) {
