@@ -26,6 +26,11 @@ function(foldless_options target)
                            -fno-sanitize=null,alignment,object-size,pointer-overflow)
     target_link_options(${target} PUBLIC -fsanitize=${FOLDLESS_SANITIZE})
   endif()
+  if(FOLDLESS_FUZZ)
+    # What libFuzzer watches.
+    target_compile_options(${target}
+                           PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table,trace-cmp)
+  endif()
 endfunction()
 
 function(foldless_library name)

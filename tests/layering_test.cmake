@@ -86,7 +86,7 @@ may_include("app/editor/.*" "${EDITOR}")
 may_include("app/export/.*" "${BASE}|<glm/.*>|<cairo(-pdf|-svg)?\\.h>|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
 may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|app/exit_status\\.h|<(glad/gl|imgui.*|GLFW/glfw3|fontconfig/.*)\\.h>")
 may_include("app/bench/.*" "${BASE}|core/.*|app/(bench|export)/.*")
-may_include("app/cli/.*" "${BASE}|<CLI/CLI\\.hpp>|core/.*|render/.*|app/(bench|export)/.*|app/(cli/.*|exit_status\\.h)")
+may_include("app/cli/.*" "${BASE}|<CLI/CLI\\.hpp>|<built_with\\.h>|core/.*|render/.*|app/(bench|export)/.*|app/(cli/.*|exit_status\\.h)")
 
 # 1. Libraries that one place alone sees.
 only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")

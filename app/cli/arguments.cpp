@@ -6,6 +6,7 @@
 
 #include "app/cli/calls.h"
 #include "app/cli/option_texts.h"
+#include "app/cli/version.h"
 #include "core/data_path.h"
 #include "core/energy/densities.h"
 #include "core/error.h"
@@ -224,7 +225,9 @@ void add_examples(CLI::App& app, const std::string& program) {
 Call parse_arguments(int argc, const char* const* argv) {
   const std::string program = argc > 0 ? argv[0] : "foldless";
   CLI::App app("Deforms planar meshes by dragged handles, and never folds them.", "foldless");
-  app.set_version_flag("--version", "foldless " FOLDLESS_VERSION);
+  bool wants_version = false, is_verbose = false;
+  app.add_flag("--version", wants_version, "print the version and end");
+  app.add_flag("--verbose", is_verbose, "with --version: what the program was built with, too");
   EditorCall editor;
   ReplayCall replay_call;
   SolveCall solve_call;
@@ -253,11 +256,11 @@ Call parse_arguments(int argc, const char* const* argv) {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     return TextCall{app.help()};
-  } catch (const CLI::CallForVersion& version) {
-    return TextCall{std::string(version.what()) + '\n'};
   } catch (const CLI::ParseError& error) {
     throw Error(std::string(error.what()) + "; see " + program + " --help");
   }
+  if (wants_version) return TextCall{is_verbose ? verbose_version_text() : version_text()};
+  if (is_verbose) throw Error("--verbose goes with --version; see " + program + " --help");
   if (solve->parsed()) {
     read_solve(texts, solve_call);
     return solve_call;

@@ -88,9 +88,7 @@ Settings load_settings(const std::filesystem::path& file) {
   return settings;
 }
 
-void save_settings(const std::filesystem::path& file, const Settings& settings) {
-  std::error_code ignored;
-  std::filesystem::create_directories(file.parent_path(), ignored);
+std::string settings_text(const Settings& settings) {
   nlohmann::json json{{"scale", settings.scale},
                       {"theme", kThemeNames[static_cast<std::size_t>(settings.theme)]},
                       {"panels", settings.shows_panels},
@@ -105,7 +103,13 @@ void save_settings(const std::filesystem::path& file, const Settings& settings) 
   if (settings.pace) json["pace"] = *settings.pace;
   if (settings.keys != KeyChoice{}) json["keys"] = keys_json(settings.keys);
   if (settings.layers) json["layers"] = layers_json(*settings.layers);
-  write_file_atomically(file, json.dump(2) + "\n");
+  return json.dump(2) + "\n";
+}
+
+void save_settings(const std::filesystem::path& file, const Settings& settings) {
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  write_file_atomically(file, settings_text(settings));
 }
 
 }  // namespace foldless

@@ -47,6 +47,9 @@ std::filesystem::path settings_file(const std::filesystem::path& state_folder);
 /// Reads settings; what is missing or cannot be read takes its default.
 Settings load_settings(const std::filesystem::path& file);
 
+/// What save_settings() writes.
+std::string settings_text(const Settings& settings);
+
 /// Writes settings, and makes their folder if need be. Throws Error when that fails.
 void save_settings(const std::filesystem::path& file, const Settings& settings);
 

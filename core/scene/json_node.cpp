@@ -100,10 +100,10 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     if (const auto colon = what.find(": "); what.starts_with("parse error") && colon != what.npos)
       what.remove_prefix(colon + 2);
     std::string words(what);
+    if (const std::string place = path(); !place.empty()) words.append(", in ").append(place);
     std::ranges::replace_if(
         words, [](char c) { return c < ' ' || c > '~'; }, '?');
-    const std::string place = path();
-    refuse("not JSON: " + words + (place.empty() ? "" : ", in " + place));
+    refuse("not JSON: " + words);
   }
 
  private:

@@ -16,12 +16,23 @@ constexpr std::size_t kNamesOfANote = 3;
 /// Columns and rows, one past the last at the end.
 struct PixelRange {
   int left, top, right, bottom;
+
+  bool is_empty() const { return left >= right || top >= bottom; }
 };
 
+/// The pixels of a layer that lie on the canvas; a file may say that it lies anywhere.
+PixelRange pixels_on_canvas(const PictureLayer& layer, int width, int height) {
+  const auto cut = [](long place, int most) {
+    return static_cast<int>(std::clamp<long>(place, 0, most));
+  };
+  const long x = layer.x, y = layer.y;
+  return {cut(-x, layer.image.width), cut(-y, layer.image.height),
+          cut(width - x, layer.image.width), cut(height - y, layer.image.height)};
+}
+
 PixelRange seen_pixels(const PictureLayer& layer, int width, int height) {
-  const PixelRange on_canvas{std::max(0, -layer.x), std::max(0, -layer.y),
-                             std::min(layer.image.width, width - layer.x),
-                             std::min(layer.image.height, height - layer.y)};
+  const PixelRange on_canvas = pixels_on_canvas(layer, width, height);
+  if (on_canvas.is_empty()) return {};
   PixelRange seen{on_canvas.right, on_canvas.bottom, on_canvas.left, on_canvas.top};
   for (int y = on_canvas.top; y < on_canvas.bottom; ++y)
     for (int x = on_canvas.left; x < on_canvas.right; ++x)
@@ -33,8 +44,9 @@ PixelRange seen_pixels(const PictureLayer& layer, int width, int height) {
 
 void cut_down(PictureLayer& layer, int width, int height) {
   const PixelRange seen = seen_pixels(layer, width, height);
-  if (seen.left >= seen.right || seen.top >= seen.bottom) {
+  if (seen.is_empty()) {
     layer.image = {};
+    layer.x = layer.y = 0;
     return;
   }
   Image part(seen.right - seen.left, seen.bottom - seen.top);

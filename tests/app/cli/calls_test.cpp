@@ -108,6 +108,17 @@ TEST(Help, VersionIsOneLine) {
   EXPECT_EQ(std::ranges::count(ended.out, '\n'), 1);
 }
 
+TEST(Help, VerboseVersionNamesWhatTheProgramWasBuiltWith) {
+  const Ended ended = test::run({"--version", "--verbose"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_TRUE(ended.out.starts_with(test::run({"--version"}).out)) << ended.out;
+  EXPECT_NE(ended.out.find("\nbuilt with "), std::string::npos);
+  if (std::filesystem::exists("/var/lib/dpkg/status")) {
+    EXPECT_NE(ended.out.find("\nlibsuitesparse-dev "), std::string::npos) << ended.out;
+  }
+  EXPECT_EQ(test::run({"--verbose"}).status, 2);
+}
+
 TEST(Check, ProvesWhatSolveWrites) {
   const TemporaryFolder folder;
   write_scene(folder / "scene.json", grid_problem(5, Vec2(3, 3)));

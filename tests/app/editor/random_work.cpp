@@ -61,7 +61,7 @@ std::string bits_of(const Document& document) {
 RandomWork::RandomWork() { write_ring(folder_ / "ring.png", 40); }
 
 void RandomWork::begin(unsigned seed) {
-  random_.seed(seed);
+  choices_.seed(seed);
   left_.clear();
   step_ = 0;
   was_editing_ = has_left_the_method_ = false;

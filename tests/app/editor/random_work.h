@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/app/editor/choices.h"
 #include "tests/app/editor/editor_fixture.h"
 
 namespace foldless::test {
@@ -37,15 +38,17 @@ class RandomWork : public EditorTest {
   /// Whatever is under way ends; then back to the first step and forth to the last.
   void expect_undo_to_the_start_and_back();
 
-  int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
+  int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(choices_); }
   double real(double from, double to) {
-    return std::uniform_real_distribution<double>(from, to)(random_);
+    return std::uniform_real_distribution<double>(from, to)(choices_);
   }
   bool happens_in(int out_of_ten) { return whole(1, 10) <= out_of_ten; }
 
   /// By the exact predicates. A method that folds by its nature may show that, and says so; the
   /// document never has it.
   bool is_sound() const;
+
+  Choices choices_;  ///< of what is done
 
  private:
   /// What the history holds of a step, as it was when the step was left.
@@ -92,7 +95,6 @@ class RandomWork : public EditorTest {
   void any_key();
 
   TemporaryFolder folder_;
-  std::mt19937 random_;
   bool has_left_the_method_ = false;        ///< for one that may fold, or overlap at the boundary
   std::map<std::uint64_t, Document> left_;  ///< by the id of the step
   std::uint64_t step_ = 0;

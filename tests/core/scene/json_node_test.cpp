@@ -55,6 +55,7 @@ TEST(JsonNode, RefusesAKeyThatComesTwice) {
 TEST(JsonNode, TellsWhereInTheFileItIsNotJson) {
   EXPECT_TRUE(
       error_in_json(R"({"a": 1, "b": [{"c": 2}, {"d": [3, 4, x]}]})").ends_with(", in b[1].d[2]"));
+  EXPECT_TRUE(error_in_json("{\"a\\nb\": x}").ends_with(", in a?b")) << "one line";
 }
 
 TEST(JsonNode, RefusesDeepNesting) {

@@ -99,6 +99,17 @@ TEST_P(LayeredFile, CutsLayersDownToWhatIsSeen) {
                              painting.layers[1].image.at(x + 1, y)));
 }
 
+TEST_P(LayeredFile, LayersBesideTheCanvasAreThereWithoutAPicture) {
+  LayeredImage painting = sample();
+  for (const auto& [x, y] : {std::pair{170, 120}, {170, -90}, {-90, 120}, {-90, -90}, {150, 10}}) {
+    painting.layers[1].x = x;
+    painting.layers[1].y = y;
+    const LayeredImage read = load_layered(write(painting));
+    ASSERT_EQ(read.layers.size(), 3U);
+    EXPECT_EQ(read.layers[1].image, Image()) << x << ' ' << y;
+  }
+}
+
 TEST_P(LayeredFile, OpensMergedAsAnyPicture) {
   LayeredImage painting = sample();
   for (int x = 0; x < 90; ++x) painting.layers[0].image.at(x, 4)[3] = 100;
