@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every call that writes is made to fail, one after the other, and so is memory; and the program is
+// ended before every such call. The old files are there then, or the new ones.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "core/files/atomic_file.h"
+#include "tests/faults/operation.h"
+#include "tests/support/temporary_folder.h"
+
+namespace foldless::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScene = FOLDLESS_ASSETS_DIR "/scenes/figure1_blocked_edge.json";
+constexpr const char* kOther = FOLDLESS_ASSETS_DIR "/scenes/figure12_splits.json";
+constexpr const char* kPicture = FOLDLESS_ASSETS_DIR "/images/editor.png";
+constexpr int kNotSatisfied = 1, kBadInput = 2;
+constexpr const char* kCommitted = ".foldless-committed/";
+
+bool is_hidden(const std::string& path) {
+  return path.starts_with('.') || path.find("/.") != path.npos;
+}
+
+/// What of a result is the same whenever it is made: not what tells of seconds.
+Files lasting(const Files& files) {
+  Files lasting;
+  for (const auto& [name, bytes] : files) {
+    const bool has_seconds =
+        name.ends_with(".csv") || name.ends_with("report.json") || name.ends_with("manifest.json");
+    lasting[name] = has_seconds ? "" : bytes;
+  }
+  return lasting;
+}
+
+Files without_hidden(Files files) {
+  std::erase_if(files, [](const auto& file) { return is_hidden(file.first); });
+  return files;
+}
+
+/// Something that the program does in a folder.
+class Operation {
+ public:
+  explicit Operation(std::vector<std::string> arguments) : arguments_(std::move(arguments)) {
+    fs::create_directory(folder());
+  }
+
+  /// What was there before; made by the program too, so that it may be replaced.
+  void begin_with(const std::vector<std::string>& arguments) {
+    EXPECT_LE(run(arguments, "").status, kNotSatisfied);
+    old_ = files_in(folder());
+  }
+  void find_new() {
+    EXPECT_LE(run(arguments_, "").status, kNotSatisfied);
+    new_ = lasting(files_in(folder()));
+    EXPECT_NE(new_, lasting(old_));
+  }
+
+  /// False when there are fewer such calls.
+  bool fails_well(const std::string& fault) {
+    SCOPED_TRACE(fault);
+    write_files(folder(), old_);
+    const Faulted ended = run(arguments_, fault);
+    if (!ended.has_happened) return false;
+    const Files files = files_in(folder());
+    if (ended.status <= kNotSatisfied && ended.status >= 0) {
+      EXPECT_EQ(lasting(without_hidden(files)), new_) << "it says that it has done it";
+      return true;
+    }
+    EXPECT_EQ(ended.status, kBadInput) << ended.err;
+    EXPECT_TRUE(ended.err.starts_with("foldless: ")) << ended.err;
+    EXPECT_EQ(std::ranges::count(ended.err, '\n'), 1) << ended.err;
+    expect_old_or_new(files);
+    for (const auto& [name, bytes] : files)
+      EXPECT_TRUE(!is_hidden(name) || name.starts_with(kCommitted) || fault.starts_with("unlink"))
+          << name << " is left";
+    return true;
+  }
+
+  bool dies_well(const std::string& fault) {
+    SCOPED_TRACE(fault);
+    write_files(folder(), old_);
+    if (!run(arguments_, fault + ":kill").has_happened) return false;
+    expect_old_or_new(files_in(folder()));
+    EXPECT_LE(run(arguments_, "").status, kNotSatisfied) << "it can be done then";
+    EXPECT_EQ(lasting(without_hidden(files_in(folder()))), new_);
+    return true;
+  }
+
+ private:
+  Faulted run(std::vector<std::string> arguments, const std::string& fault) const {
+    for (std::string& argument : arguments)
+      if (argument.starts_with("OUT")) argument = folder().string() + argument.substr(3);
+    return run_with_fault(arguments, fault, folder());
+  }
+
+  /// A result that has not taken all its names yet is whole with `.foldless-committed` before it.
+  void expect_old_or_new(const Files& files) const {
+    const std::string committed = kCommitted;
+    Files seen = without_hidden(files);
+    for (const auto& [name, bytes] : files)
+      if (name.starts_with(committed) && !is_hidden(name.substr(committed.size())) &&
+          !name.starts_with(committed + "earlier"))
+        seen[name.substr(committed.size())] = bytes;
+    if (seen == old_) return;
+    seen = lasting(seen);
+    if (files.contains(committed + "manifest.json"))  // files of the old result may still be there
+      std::erase_if(seen, [&](const auto& file) { return !new_.contains(file.first); });
+    EXPECT_EQ(seen, new_);
+  }
+
+  fs::path folder() const { return folder_ / "out"; }
+
+  TemporaryFolder folder_;
+  std::vector<std::string> arguments_;
+  Files old_, new_;
+};
+
+constexpr const char* kKinds[] = {"open", "write", "fsync", "close", "rename", "mkdir", "unlink"};
+
+void expect_it_bears_all(Operation& operation) {
+  int failed = 0, killed = 0;
+  for (const std::string kind : kKinds) {
+    for (int n = 1; operation.fails_well(kind + ':' + std::to_string(n)); ++n) ++failed;
+    for (int n = 1; operation.dies_well(kind + ':' + std::to_string(n)); ++n) ++killed;
+  }
+  std::cout << failed << " calls failed, " << killed << " were the last\n";
+  EXPECT_GT(failed, 3);
+  EXPECT_GT(killed, 3);
+}
+
+/// One of a quarter more every time: there are hundred thousands.
+void expect_it_bears_little_memory(Operation& operation) {
+  int failed = 0;
+  for (int n = 1; operation.fails_well("new:" + std::to_string(n)); n += 1 + n / 4) ++failed;
+  std::cout << failed << " allocations failed\n";
+  EXPECT_GT(failed, 20);
+}
+
+TEST(Faults, ASolveOverAnotherResult) {
+  Operation operation({"solve", kScene, "-o", "OUT"});
+  operation.begin_with({"solve", kOther, "-o", "OUT"});
+  operation.find_new();
+  expect_it_bears_all(operation);
+  expect_it_bears_little_memory(operation);
+}
+
+TEST(Faults, ASolveWithFramesOverAnotherResult) {
+  Operation operation({"solve", kScene, "-o", "OUT", "--frames", "all"});
+  operation.begin_with({"solve", kOther, "-o", "OUT", "--frames", "9"});
+  operation.find_new();
+  expect_it_bears_all(operation);
+}
+
+TEST(Faults, AMeshOfAPicture) {
+  Operation operation({"mesh", kPicture, "-o", "OUT/a.json"});
+  operation.begin_with({"mesh", kPicture, "-o", "OUT/a.json", "--edge-length", "90"});
+  operation.find_new();
+  expect_it_bears_all(operation);
+  expect_it_bears_little_memory(operation);
+}
+
+TEST(Faults, AFigure) {
+  Operation operation({"render", kScene, "-o", "OUT/a.svg"});
+  operation.begin_with({"render", kOther, "-o", "OUT/a.svg"});
+  operation.find_new();
+  expect_it_bears_all(operation);
+}
+
+}  // namespace
+}  // namespace foldless::test

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace foldless::test {
+
+/// How the program ended in which one call failed.
+struct Faulted {
+  bool has_happened = false;  ///< there were enough calls of that kind
+  int status = -1;            ///< negative: the signal that ended it
+  std::string err;
+};
+
+/// Runs the program; `fault` as tests/faults/preload.cpp has it, in files below `folder`; empty:
+/// none.
+Faulted run_with_fault(const std::vector<std::string>& arguments, const std::string& fault,
+                       const std::filesystem::path& folder);
+
+/// The bytes of all files below a folder, by their paths in it.
+using Files = std::map<std::string, std::string>;
+Files files_in(const std::filesystem::path& folder);
+void write_files(const std::filesystem::path& folder, const Files& files);
+
+}  // namespace foldless::test
