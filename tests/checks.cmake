@@ -41,3 +41,10 @@ add_test(NAME Install.GivesAProgramThatFindsItsData
          COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR}
                  -DPREFIX=${CMAKE_CURRENT_BINARY_DIR}/installed
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/install_test.cmake)
+
+if(DPKG_QUERY AND NOT FOLDLESS_SANITIZE)
+  add_test(NAME Sbom.NamesWhatIsLinkedAndWhatIsCompiledIn
+           COMMAND ${PROJECT_SOURCE_DIR}/scripts/sbom $<TARGET_FILE:foldless>)
+  set_tests_properties(Sbom.NamesWhatIsLinkedAndWhatIsCompiledIn PROPERTIES
+    PASS_REGULAR_EXPRESSION "pkg:deb/debian/libcholmod3@.*pkg:deb/debian/libeigen3-dev@")
+endif()
