@@ -2,25 +2,78 @@
 #include "core/linear/cholesky.h"
 
 #include <cholmod.h>
+#include <dlfcn.h>
+#include <link.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <mutex>
 #include <new>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/linear/symbolic_factor.h"
 #include "core/linear/triangular_solve.h"
 
+namespace {
+
+/// Where a library lies in memory.
+struct Library {
+  std::uintptr_t begin = 0, end = 0;
+
+  bool holds(std::uintptr_t address) const { return begin <= address && address < end; }
+};
+
+template <typename Function>
+std::uintptr_t address_of(Function* function) {
+  return reinterpret_cast<std::uintptr_t>(function);
+}
+
+/// The segments of a library as the loader tells them.
+Library library_of(const dl_phdr_info& info) {
+  Library library{std::numeric_limits<std::uintptr_t>::max(), 0};
+  for (const ElfW(Phdr) & segment : std::span(info.dlpi_phdr, info.dlpi_phnum)) {
+    if (segment.p_type != PT_LOAD) continue;
+    library.begin = std::min<std::uintptr_t>(library.begin, info.dlpi_addr + segment.p_vaddr);
+    library.end =
+        std::max<std::uintptr_t>(library.end, info.dlpi_addr + segment.p_vaddr + segment.p_memsz);
+  }
+  return library;
+}
+
+Library find_cholmod() {
+  Library cholmod;
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* found) {
+        const Library library = library_of(*info);
+        if (!library.holds(address_of(&cholmod_start))) return 0;
+        *static_cast<Library*>(found) = library;
+        return 1;
+      },
+      &cholmod);
+  return cholmod;
+}
+
+}  // namespace
+
 /// CHOLMOD opens a parallel region for every few columns, and libgomp makes a team for each, even
-/// of one thread: half of the time of a factorization. This definition comes before libgomp's: the
-/// region runs on the calling thread, outside of any team.
+/// of one thread: half of the time of a factorization. This definition comes before libgomp's: such
+/// a region runs on the calling thread, outside of any team. Regions of others, such as a BLAS with
+/// threads, which would wait for theirs for ever, are libgomp's as ever.
 // NOLINTBEGIN(readability-identifier-naming, readability-redundant-declaration): names of others
 extern "C" __attribute__((visibility("default"))) void GOMP_parallel(void (*region)(void*),
                                                                      void* data, unsigned,
                                                                      unsigned);
-void GOMP_parallel(void (*region)(void*), void* data, unsigned, unsigned) { region(data); }
+void GOMP_parallel(void (*region)(void*), void* data, unsigned threads, unsigned flags) {
+  static const Library cholmod = find_cholmod();
+  static const auto of_libgomp =
+      reinterpret_cast<decltype(&GOMP_parallel)>(dlsym(RTLD_NEXT, "GOMP_parallel"));
+  if (cholmod.holds(address_of(region)) || !of_libgomp) return region(data);
+  of_libgomp(region, data, threads, flags);
+}
 
 /// CHOLMOD asks for the time before and after every call of the BLAS, a tenth of the time of a
 /// small factorization, for statistics that nobody reads here.
