@@ -32,9 +32,11 @@ bool can_play(const Editor& e) {
   return e.playback().can_scrub() && e.playback().iterations().size() > 1;
 }
 bool is_solving(const Editor& e) { return e.playback().is_solving(); }
-bool is_diff_shown(const Editor& e) { return e.view().remesh_diff().is_shown(); }
-bool is_diff_linked(const Editor& e) {
-  return is_diff_shown(e) && e.view().remesh_diff().is_linked();
+bool is_diff_shown(const Editor& e) { return e.view().beside() == Beside::rest_mesh; }
+bool are_poses_shown(const Editor& e) { return e.view().beside() == Beside::kept_pose; }
+bool has_two_panes(const Editor& e) { return e.view().beside() != Beside::nothing; }
+bool are_panes_linked(const Editor& e) {
+  return has_two_panes(e) && e.view().side_pane().is_linked();
 }
 bool is_stuck(const Editor& e) { return e.stuck().handle() != nullptr; }
 bool has_race(const Editor& e) { return e.race().is_open(); }
@@ -110,6 +112,12 @@ void find_lost_work(Editor& e) {
   e.files().find_lost_work();
   if (!e.files().recovery().is_open())
     e.messages().toast(ToastKind::notice, "There is no unsaved work to recover");
+}
+
+/// The first time the pose on screen is kept: what is edited next is seen beside it.
+void toggle_poses(Editor& e) {
+  if (!e.comparison().kept()) e.comparison().keep();
+  e.view().toggle_beside(Beside::kept_pose);
 }
 
 /// The same command, in a race too.
@@ -222,8 +230,8 @@ std::vector<Command> view_commands() {
       in_race({"view.fit", "View", "Fit all", {{Key::home, kNone}}, has_mesh, transport<&Race::fit, &CanvasView::fit_all>}),
       {"view.fit_selection", "View", "Fit selection", {{Key::f, kNone}}, has_mesh, call<&CanvasView::fit_selection>},
       {"view.actual_size", "View", "100 %", {{Key::digit_0, kControl}}, always, call<&CanvasView::actual_size>},
-      {"view.remesh_diff", "View", "Rest and deformed side by side", {{Key::d, kNone}}, has_mesh, call<&CanvasView::toggle_remesh_diff>, is_diff_shown},
-      {"view.link_panes", "View", "Move both sides together", {{Key::d, kShift}}, is_diff_shown, call<&CanvasView::toggle_link>, is_diff_linked},
+      {"view.remesh_diff", "View", "Rest and deformed side by side", {{Key::d, kNone}}, has_mesh, [](Editor& e) { e.view().toggle_beside(Beside::rest_mesh); }, is_diff_shown},
+      {"view.link_panes", "View", "Move both sides together", {{Key::d, kShift}}, has_two_panes, call<&CanvasView::toggle_link>, are_panes_linked},
       in_race({"view.mesh", "View", "Show the mesh", {{Key::tab, kNone}}, always, call<&CanvasView::toggle_mesh>, [](const Editor& e) { return e.view().is_mesh_shown(); }}),
       layer<0>("view.fill"),
       layer<1>("view.wireframe"),
@@ -241,6 +249,7 @@ std::vector<Command> view_commands() {
        [](const Editor& e) { return e.comparison().is_held(); },
        [](Editor& e) { e.comparison().hold(false); }},
       {"compare.keep", "View", "Keep this pose to compare with", {{Key::backslash, kShift}}, has_mesh, call<&PoseComparison::keep>},
+      {"compare.side_by_side", "View", "Kept pose side by side", {{Key::backslash, kControl}}, has_mesh, toggle_poses, are_poses_shown},
       {"compare.forget", "View", "Forget the kept pose", {}, [](const Editor& e) { return e.comparison().kept() != nullptr; }, call<&PoseComparison::forget>},
       {"compare.outline", "View", "Outline of this pose, on or off", {{Key::o, kNone}}, has_mesh, call<&PoseComparison::toggle_outline>},
       {"compare.clear", "View", "Remove all outlines", {{Key::o, kShift}}, [](const Editor& e) { return e.comparison().has_outlines(); }, call<&PoseComparison::clear_outlines>},

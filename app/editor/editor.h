@@ -54,7 +54,8 @@ class Editor {
   /// Runs a command of the table if it is enabled; returns whether it was.
   bool run_command(std::string_view name);
   /// Stages of Esc: leave import, recovery or race, cancel the gesture, put the brush
-  /// away, stop solving, stop playing, leave the iteration that is shown, deselect.
+  /// away, stop solving, stop playing, leave the iteration that is shown, leave the kept pose
+  /// beside the canvas, deselect.
   void escape();
 
   // Its parts.
@@ -105,13 +106,13 @@ class Editor {
   Messages messages_;
   Draft draft_;
   Race race_;
+  PoseComparison comparison_;
   CanvasView view_;
   Playback playback_;
   DocumentEdits edits_;
   DocumentFiles files_;
   StuckHelp stuck_;
   StiffnessBrush brush_;
-  PoseComparison comparison_;
   Keymap keys_;
   EditorInput input_;
 };

@@ -28,6 +28,9 @@ std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
     return "Drag paints stiffness · Shift takes it back · [ and ] change the size · Esc ends";
   if (editor.input().band() || !editor.input().lasso().empty())
     return "Release to select · Shift adds · Ctrl takes away · Esc cancels";
+  if (editor.view().beside() == Beside::kept_pose && modifiers == Modifiers{} &&
+      !editor.selection().hovered())
+    return "The kept pose at the left, the one you edit at the right · Esc ends";
   if (modifiers.control)
     return "Ctrl+drag takes away from the selection" +
            key_hint(editor, "help.search", "finds commands");

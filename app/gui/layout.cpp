@@ -43,8 +43,8 @@ Layout layout_for(Extent framebuffer, float scale, SidePanels panels) {
 void split_canvas(Layout& layout, float scale) {
   const float line = std::round(2 * scale);
   const float half = std::max(0.0F, std::floor((layout.canvas.width - line) / 2));
-  layout.rest = layout.canvas;
-  layout.rest.width = half;
+  layout.side = layout.canvas;
+  layout.side.width = half;
   layout.canvas.x += layout.canvas.width - half;
   layout.canvas.width = half;
 }

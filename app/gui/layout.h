@@ -23,7 +23,7 @@ struct Layout {
   Rectangle right;  ///< without width where there is none
   Rectangle canvas;
   Rectangle
-      rest;  ///< the pane beside the canvas, as large as it; without width where there is none
+      side;  ///< the pane beside the canvas, as large as it; without width where there is none
   Rectangle timeline;
   Rectangle status_bar;
 };
@@ -34,7 +34,7 @@ enum class SidePanels { none, one, two };
 /// For a framebuffer and framebuffer pixels in one design pixel.
 Layout layout_for(Extent framebuffer, float scale, SidePanels panels);
 
-/// Gives the left half of the canvas to the pane of the rest mesh.
+/// Gives the left half of the canvas to the pane beside it.
 void split_canvas(Layout& layout, float scale);
 
 }  // namespace foldless

@@ -206,7 +206,7 @@ void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   const float scale = p.appearance.look().scale;
   p.state.workspace = workspace_for(p.state.settings, editor);
   p.layout = layout_for(spec.framebuffer, scale, p.panels(editor));
-  if (editor.view().remesh_diff().is_shown() && !has_race) split_canvas(p.layout, scale);
+  if (editor.view().beside() != Beside::nothing && !has_race) split_canvas(p.layout, scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(spec.framebuffer.width),
                     static_cast<float>(spec.framebuffer.height)};
@@ -248,7 +248,7 @@ void Ui::draw_panels(Editor& editor) {
   } else {
     if (editor.document().is_empty()) draw_start_screen(editor, p.thumbnails, context);
     draw_canvas_overlay(editor, context);
-    draw_remesh_panes(editor, context);
+    draw_side_panes(editor, context);
     draw_stuck_card(editor, context);
   }
   draw_menu_bar(editor, context);

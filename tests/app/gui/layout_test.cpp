@@ -45,11 +45,11 @@ TEST_P(LayoutFor, SplitsTheCanvasInTwoPanesOfOneSize) {
   const Layout whole = layout_for({1281, 800}, GetParam(), SidePanels::two);
   Layout l = whole;
   split_canvas(l, GetParam());
-  EXPECT_EQ(l.rest.width, l.canvas.width);
-  EXPECT_EQ(l.rest.height, l.canvas.height);
-  EXPECT_EQ(l.rest.x, whole.canvas.x);
+  EXPECT_EQ(l.side.width, l.canvas.width);
+  EXPECT_EQ(l.side.height, l.canvas.height);
+  EXPECT_EQ(l.side.x, whole.canvas.x);
   EXPECT_EQ(l.canvas.x + l.canvas.width, whole.canvas.x + whole.canvas.width);
-  EXPECT_FALSE(overlap(l.rest, l.canvas));
+  EXPECT_FALSE(overlap(l.side, l.canvas));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scales, LayoutFor, testing::Values(0.75F, 1.0F, 1.5F, 2.0F, 3.0F));

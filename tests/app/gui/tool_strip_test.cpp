@@ -48,7 +48,7 @@ TEST_F(ToolStrip, EveryIconDoesWhatItsTooltipSays) {
   click(12, 3);
   EXPECT_NE(editor().view().is_mesh_shown(), showed_mesh);
   click(13, 3);
-  EXPECT_TRUE(editor().view().remesh_diff().is_shown());
+  EXPECT_EQ(editor().view().beside(), Beside::rest_mesh);
 }
 
 TEST_F(ToolStrip, WhatCannotBeDoneIsGreyed) {
