@@ -2,6 +2,7 @@
 #include "app/editor/canvas_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/editor/handle_view.h"
@@ -64,11 +65,26 @@ void CanvasView::zoom(double factor) {
   set_camera(zoomed_about(canvas_.camera, canvas_.size(), canvas_.size() / 2.0, factor));
 }
 
-void CanvasView::actual_size() {
-  Camera camera = canvas_.camera;
+double CanvasView::zoom_level() const {
   // The unit of a mesh that was made of an image is the image's pixel.
-  camera.pixels_per_unit = (draft_.document().texture_box ? 1 : 100) * canvas_.ui_scale;
-  set_camera(camera);
+  const double unit = (draft_.document().texture_box ? 1 : 100) * canvas_.ui_scale;
+  return canvas_.camera.pixels_per_unit / unit;
+}
+
+void CanvasView::set_zoom_level(double level) {
+  if (std::isfinite(level) && level > 0) zoom(level / zoom_level());
+}
+
+std::optional<TextureBox> CanvasView::artboard() const {
+  const Document& document = draft_.document();
+  return document.texture.empty() ? std::nullopt : document.texture_box;
+}
+
+void CanvasView::fit_artboard() {
+  const auto box = artboard();
+  if (!box) return;
+  const Box shown{{box->min.x(), box->min.y()}, {box->max.x(), box->max.y()}};
+  set_camera(fit_to_box(shown, canvas_.size(), kMargin * canvas_.ui_scale));
 }
 
 void CanvasView::fit_all() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 #include "app/editor/canvas.h"
 #include "app/editor/draft.h"
@@ -39,9 +40,15 @@ class CanvasView {
   void set_camera(const Camera& camera);
   void fit_all();
   void fit_selection();
+  /// The canvas that a drawing was painted on; nothing: there is none.
+  std::optional<TextureBox> artboard() const;
+  void fit_artboard();
   void zoom(double factor);  ///< about the middle of the canvas
-  /// 100 design pixels a unit of length; one a pixel of the image where a mesh was made of one.
-  void actual_size();
+  /// 1: 100 design pixels a unit of length; one a pixel of the image where a mesh was made of one.
+  double zoom_level() const;
+  /// Kept within what a camera can do; what is no positive number is passed over.
+  void set_zoom_level(double level);
+  void actual_size() { set_zoom_level(1); }
 
   // The pane beside the canvas.
 

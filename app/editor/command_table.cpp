@@ -229,6 +229,7 @@ std::vector<Command> view_commands() {
       repeating({"view.zoom_out", "View", "Zoom out", {{Key::minus, kNone}}, always, [](Editor& e) { e.view().zoom(1 / kZoomStep); }}),
       in_race({"view.fit", "View", "Fit all", {{Key::home, kNone}}, has_mesh, transport<&Race::fit, &CanvasView::fit_all>}),
       {"view.fit_selection", "View", "Fit selection", {{Key::f, kNone}}, has_mesh, call<&CanvasView::fit_selection>},
+      {"view.fit_canvas", "View", "Fit the canvas", {}, [](const Editor& e) { return e.view().artboard().has_value(); }, call<&CanvasView::fit_artboard>},
       {"view.actual_size", "View", "100 %", {{Key::digit_0, kControl}}, always, call<&CanvasView::actual_size>},
       {"view.remesh_diff", "View", "Rest and deformed side by side", {{Key::d, kNone}}, has_mesh, [](Editor& e) { e.view().toggle_beside(Beside::rest_mesh); }, is_diff_shown},
       {"view.link_panes", "View", "Move both sides together", {{Key::d, kShift}}, has_two_panes, call<&CanvasView::toggle_link>, are_panes_linked},

@@ -52,6 +52,21 @@ TEST_P(LayoutFor, SplitsTheCanvasInTwoPanesOfOneSize) {
   EXPECT_FALSE(overlap(l.side, l.canvas));
 }
 
+TEST_P(LayoutFor, RulersTakeAnLFromEachPane) {
+  Layout l = layout_for({1280, 800}, GetParam(), SidePanels::two);
+  split_canvas(l, GetParam());
+  const Layout before = l;
+  add_rulers(l, GetParam());
+  const auto expect_filled = [](const Rectangle& pane, const Rulers& rulers, const Rectangle& was) {
+    EXPECT_GT(area(rulers.left), 0);
+    EXPECT_EQ(area(pane) + area(rulers.top) + area(rulers.left), area(was));
+    EXPECT_FALSE(overlap(pane, rulers.top) || overlap(pane, rulers.left));
+    EXPECT_FALSE(overlap(rulers.top, rulers.left));
+  };
+  expect_filled(l.canvas, l.rulers, before.canvas);
+  expect_filled(l.side, l.side_rulers, before.side);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scales, LayoutFor, testing::Values(0.75F, 1.0F, 1.5F, 2.0F, 3.0F));
 
 }  // namespace
