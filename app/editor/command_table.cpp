@@ -71,6 +71,7 @@ CanvasView& part_with(void (CanvasView::*)(), Editor& e) { return e.view(); }
 Playback& part_with(void (Playback::*)(), Editor& e) { return e.playback(); }
 PoseComparison& part_with(void (PoseComparison::*)(), Editor& e) { return e.comparison(); }
 StiffnessBrush& part_with(void (StiffnessBrush::*)(), Editor& e) { return e.brush(); }
+BoneTool& part_with(void (BoneTool::*)(), Editor& e) { return e.bone_tool(); }
 StuckHelp& part_with(void (StuckHelp::*)(), Editor& e) { return e.stuck(); }
 
 /// A member function of a part as an action.
@@ -112,6 +113,20 @@ void find_lost_work(Editor& e) {
   e.files().find_lost_work();
   if (!e.files().recovery().is_open())
     e.messages().toast(ToastKind::notice, "There is no unsaved work to recover");
+}
+
+void take_no_tool(Editor& e) {
+  if (e.brush().is_on()) e.brush().toggle();
+  if (e.bone_tool().is_on()) e.bone_tool().toggle();
+}
+
+/// One tool is in the hand at most.
+template <auto Toggle>
+void take_tool(Editor& e) {
+  auto& tool = part_with(Toggle, e);
+  const bool was_on = tool.is_on();
+  take_no_tool(e);
+  if (!was_on) tool.toggle();
 }
 
 /// The first time the pose on screen is kept: what is edited next is seen beside it.
@@ -189,9 +204,10 @@ std::vector<Command> handle_commands() {
       nudging("handle.right", "Nudge right", Key::right, [](Editor& e) { nudge(e, {1, 0}); }),
       nudging("handle.up", "Nudge up", Key::up, [](Editor& e) { nudge(e, {0, 1}); }),
       nudging("handle.down", "Nudge down", Key::down, [](Editor& e) { nudge(e, {0, -1}); }),
-      {"handle.move", "Handles", "Move handles", {{Key::v, kNone}}, has_mesh, [](Editor& e) { if (e.brush().is_on()) e.brush().toggle(); }, [](const Editor& e) { return !e.brush().is_on(); }},
-      {"stiffness.paint", "Handles", "Paint stiffness", {{Key::b, kNone}}, has_mesh, call<&StiffnessBrush::toggle>, [](const Editor& e) { return e.brush().is_on(); }},
+      {"handle.move", "Handles", "Move handles", {{Key::v, kNone}}, has_mesh, take_no_tool, [](const Editor& e) { return !e.brush().is_on() && !e.bone_tool().is_on(); }},
+      {"stiffness.paint", "Handles", "Paint stiffness", {{Key::b, kNone}}, has_mesh, take_tool<&StiffnessBrush::toggle>, [](const Editor& e) { return e.brush().is_on(); }},
       {"stiffness.clear", "Handles", "Remove all stiffness", {}, [](const Editor& e) { return e.brush().can_clear(); }, call<&StiffnessBrush::clear>},
+      {"bones.draw", "Handles", "Draw bones", {{Key::n, kNone}}, has_mesh, take_tool<&BoneTool::toggle>, [](const Editor& e) { return e.bone_tool().is_on(); }},
       {"bones.make", "Handles", "Make bones", {{Key::j, kNone}}, can_make_bones, make_bones},
       {"bones.remove", "Handles", "Take bones apart", {{Key::j, kShift}}, can_take_bones_apart, take_bones_apart},
       {"mirror.toggle", "Handles", "Mirror", {{Key::x, kNone}}, has_mesh, toggle_mirror, is_mirror_on},

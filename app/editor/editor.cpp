@@ -19,6 +19,7 @@ Editor::Editor(const EditorOptions& options)
       files_({draft_, view_, race_, messages_}, options.state_folder, options.wake),
       stuck_(draft_, messages_),
       brush_(draft_),
+      bone_tool_(draft_),
       input_(*this) {
   draft_.on_interrupt([this] { return input_.cancel_gesture(); });
 }
@@ -62,6 +63,8 @@ void Editor::escape() {
   if (files_.recovery().is_open()) return files_.recovery().close();
   if (race_.is_open()) return toggle_race();
   if (input_.cancel_gesture()) return;
+  if (!bone_tool_.chain().empty()) return bone_tool_.end_chain();
+  if (bone_tool_.is_on()) return bone_tool_.toggle();
   if (brush_.is_on()) return brush_.toggle();
   if (playback_.is_solving()) return playback_.stop();
   if (playback_.is_playing()) return playback_.toggle_play();

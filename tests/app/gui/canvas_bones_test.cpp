@@ -2,6 +2,7 @@
 // Bones and the mirror on the canvas.
 #include <gtest/gtest.h>
 
+#include "app/gui/hints.h"
 #include "core/mesh/generate.h"
 #include "tests/app/gui/headless_editor.h"
 
@@ -64,6 +65,34 @@ TEST_F(CanvasBones, AreDraggedByTheirEndWithTheMouse) {
   EXPECT_NEAR((handles[1].target - handles[0].target).norm(), 2, 1e-9);
   EXPECT_NEAR((handles[2].target - handles[1].target).norm(), 2, 1e-9);
   EXPECT_LT((handles[2].target - middle_ - Vec2(1.5, 1.2)).norm(), 0.05);
+}
+
+TEST_F(CanvasBones, AreDrawnClickByClickAndTheNextOneIsSeenBefore) {
+  headless_.key(Key::n);
+  const Vec2 up = headless_.window_point(middle_ + Vec2(0, 1.2));
+  headless_.click(window_point(-2));
+  headless_.move(up);
+  const Image with_next = headless_.canvas_picture();
+  headless_.key(Key::enter);
+  EXPECT_GT(differing_pixels(with_next, headless_.canvas_picture()), 300);
+  for (const double x : {-2.0, 0.0, 2.0}) headless_.click(window_point(x));
+  headless_.key(Key::enter);
+  headless_.key(Key::v);
+  EXPECT_FALSE(headless_.editor().bone_tool().is_on());
+  EXPECT_EQ(headless_.editor().document().rig.bones, std::vector<Bones>({{0, 1, 2}}));
+}
+
+TEST_F(CanvasBones, HintsSayHowTheToolGoesOn) {
+  const auto hint = [this] { return hint_words(headless_.editor(), {}); };
+  EXPECT_EQ(hint().find("root"), std::string::npos);
+  headless_.key(Key::n);
+  EXPECT_NE(hint().find("root of bones"), std::string::npos) << hint();
+  headless_.click(window_point(-2));
+  EXPECT_NE(hint().find("Enter or Esc"), std::string::npos) << hint();
+  headless_.key(Key::v);
+  headless_.key(Key::x);
+  headless_.move({4, 400});
+  EXPECT_NE(hint().find("Mirror"), std::string::npos) << hint();
 }
 
 }  // namespace
