@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/hints.h"
+#include "core/files/atomic_file.h"
 #include "core/mesh/generate.h"
 #include "tests/app/gui/headless_editor.h"
+#include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
 namespace {
@@ -93,6 +95,35 @@ TEST_F(CanvasBones, HintsSayHowTheToolGoesOn) {
   headless_.key(Key::x);
   headless_.move({4, 400});
   EXPECT_NE(hint().find("Mirror"), std::string::npos) << hint();
+}
+
+TEST_F(CanvasBones, AndTheMirrorStayOutOfExportedPicturesAndFigures) {
+  const TemporaryFolder folder;
+  const auto written = [&](const char* format, const char* name) {
+    headless_.key(Key::e, kControl);
+    headless_.click(headless_.find_words(format).value());
+    headless_.key(Key::enter);
+    headless_.key(Key::a, kControl);
+    headless_.type((folder / name).string());
+    headless_.key(Key::enter);
+    EXPECT_TRUE(headless_.wait_until([this] { return !headless_.ui().is_exporting(); }));
+    headless_.calm_down();
+    return read_file(folder / name);
+  };
+  const auto png_of = [&](const char* name) {
+    written("PNG picture", name);
+    return load_image(folder / name);
+  };
+  const Image png = png_of("without.png");
+  const std::string svg = written("SVG figure", "without.svg");
+  ASSERT_NE(svg.find("<svg"), std::string::npos);
+  const Image screen = headless_.canvas_picture();
+  make_bones();
+  headless_.key(Key::x);
+  headless_.calm_down();
+  ASSERT_GT(differing_pixels(screen, headless_.canvas_picture()), 2000) << "they are on screen";
+  EXPECT_EQ(differing_pixels(png, png_of("with.png")), 0);
+  EXPECT_EQ(svg, written("SVG figure", "with.svg"));
 }
 
 }  // namespace
