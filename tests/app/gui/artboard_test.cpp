@@ -99,13 +99,14 @@ TEST_P(Artboard, RulersMarkRoundCoordinatesAndThePointer) {
         return true;
     return false;
   };
-  const double inside = 3 * GetParam();
+  const double inside = GetParam();  // beyond the numbers and the short ticks
+  const double aside = 4 * GetParam();
   for (const double value : {100.0, 200.0}) {
     const Vec2 on = pixel_of({value, value});
-    EXPECT_TRUE(has_tick_near(on.x(), top.y + inside, {1, 0}, {-inside, 0})) << value;
-    EXPECT_TRUE(has_tick_near(left.x + inside, on.y(), {0, 1}, {0, inside})) << value;
+    EXPECT_TRUE(has_tick_near(on.x(), top.y + inside, {1, 0}, {-aside, 0})) << value;
+    EXPECT_TRUE(has_tick_near(left.x + inside, on.y(), {0, 1}, {0, aside})) << value;
     const Vec2 off = pixel_of({value + 33, value + 33});
-    EXPECT_FALSE(has_tick_near(off.x(), top.y + inside, {1, 0}, {-inside, 0})) << value;
+    EXPECT_FALSE(has_tick_near(off.x(), top.y + inside, {1, 0}, {-aside, 0})) << value;
   }
   headless_->move(headless_->window_point({133, 133}));
   const Image marked = headless_->picture();
