@@ -64,6 +64,15 @@ TEST_F(ChoiceList, ALetterLeadsToTheNextEntryThatBeginsWithIt) {
   EXPECT_EQ(energy().name, "green-strain") << "none begins with it";
 }
 
+TEST_F(ChoiceList, TheSameLetterAgainLeadsFurther) {
+  headless_.click(headless_.find_words("Foldless").value());
+  headless_.move({500, 300});
+  headless_.type("r");
+  headless_.type("r");
+  headless_.key(Key::enter);
+  EXPECT_EQ(headless_.editor().document().parameters.method, "paper-flip") << "the second of three";
+}
+
 TEST_F(ChoiceList, TypingInItRunsNoCommands) {
   open();
   headless_.type("d");
