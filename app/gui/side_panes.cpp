@@ -128,9 +128,9 @@ void draw_frame(const char* left, const char* right, const PanelContext& context
   const Layout& layout = context.layout;
   draw_name(left, layout.side, context.look);
   draw_name(right, layout.canvas, context.look);
-  const float border = layout.canvas.x - context.look.px(1);
-  ImGui::GetBackgroundDrawList()->AddLine({border, layout.canvas.y},
-                                          {border, layout.canvas.y + layout.canvas.height},
+  const float border = layout.side.x + layout.side.width + context.look.px(1);
+  const float top = layout.menu_bar.y + layout.menu_bar.height;  // rulers are beside it too
+  ImGui::GetBackgroundDrawList()->AddLine({border, top}, {border, layout.timeline.y},
                                           packed(context.look.palette->border), context.look.px(2));
 }
 
