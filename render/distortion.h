@@ -12,10 +12,12 @@ namespace foldless {
 /// The scale of a heat map: logarithmic from `min` (first colour) to `max` (last colour).
 struct HeatRange {
   HeatMeasure measure = HeatMeasure::conformal;
-  double min = 1;  ///< dimensionless, > 0
-  double max = 1;  ///< ≥ min
-  int triangle_at_max = 0;
+  double min = 1;           ///< dimensionless, > 0
+  double max = 1;           ///< ≥ min
+  int triangle_at_max = 0;  ///< or kElsewhere
 };
+/// The largest value is that of another mesh on the same scale.
+inline constexpr int kElsewhere = -1;
 
 /// Distortion of each triangle, dimensionless. [σ₁/σ₂, A′/A or ψ]
 struct Distortion {

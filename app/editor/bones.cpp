@@ -87,20 +87,25 @@ std::vector<Bones> bones_of(std::vector<Bones> bones, const std::vector<Handle>&
   return bones;
 }
 
+Document with_bones_through(Document document, const Bones& chain) {
+  std::vector<Bones>& bones = document.rig.bones;
+  for (Bones& other : bones)
+    std::erase_if(other, [&](int id) { return std::ranges::find(chain, id) != chain.end(); });
+  bones.push_back(chain);
+  bones = bones_of(std::move(bones), document.handles);
+  return document;
+}
+
 bool can_make_bones(const Editor& editor) { return editor.selection().ids().size() > 1; }
 
 void make_bones(Editor& editor) {
   editor.draft().interrupt();
   if (!can_make_bones(editor)) return;
   const Bones chain = editor.selection().order();
-  Document document = editor.document();
-  std::vector<Bones>& bones = document.rig.bones;
+  const std::vector<Bones>& bones = editor.document().rig.bones;
   if (std::ranges::find(bones, chain) != bones.end()) return;
-  for (Bones& other : bones)
-    std::erase_if(other, [&](int id) { return editor.selection().ids().contains(id); });
-  bones.push_back(chain);
-  bones = bones_of(std::move(bones), document.handles);
-  editor.draft().edit("Make bones", std::move(document), Change::appearance);
+  editor.draft().edit("Make bones", with_bones_through(editor.document(), chain),
+                      Change::appearance);
   editor.selection().select({chain.back()});  // the end is what one drags next
 }
 

@@ -18,6 +18,9 @@ std::vector<Target> with_bones(const Document& before, std::vector<Target> moved
 /// next, and one without two is gone.
 std::vector<Bones> bones_of(std::vector<Bones> bones, const std::vector<Handle>& handles);
 
+/// The document with a chain, root first, whose joints leave those that they were in.
+Document with_bones_through(Document document, const Bones& chain);
+
 // Commands; each is one undo step.
 
 /// A chain through the selected handles in the order of their selection, root first. They leave the

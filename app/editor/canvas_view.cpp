@@ -2,6 +2,7 @@
 #include "app/editor/canvas_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/editor/handle_view.h"
@@ -26,19 +27,20 @@ Box box_at(const Vec2& point) { return {{point.x(), point.y()}, {point.x(), poin
 }  // namespace
 
 void CanvasView::resize(int width, int height, double ui_scale) {
+  side_pane_.show(beside());  // a pose that is kept later opens no pane by itself
   if (width == canvas_.width && height == canvas_.height && ui_scale == canvas_.ui_scale) return;
   canvas_.width = std::max(width, 1);
   canvas_.height = std::max(height, 1);
   canvas_.ui_scale = ui_scale;
   options_.ui_scale = ui_scale;
-  remesh_diff_.resize(canvas_);
+  side_pane_.resize(canvas_);
   if (is_fitted_) fit_all();
   messages_.redraw();
 }
 
 ViewOptions CanvasView::shown_options() const {
   ViewOptions options = options_;
-  options.layers.remeshed = options.layers.remeshed || remesh_diff_.is_shown();
+  options.layers.remeshed = options.layers.remeshed || beside() == Beside::rest_mesh;
   if (overlays_hidden_) {
     const bool fill = options.layers.fill;
     options.layers = {};
@@ -55,7 +57,7 @@ void CanvasView::set_camera(const Camera& camera) {
 
 void CanvasView::move_camera(const Camera& camera) {
   canvas_.camera = camera;
-  remesh_diff_.follow(camera);
+  side_pane_.follow(camera);
   messages_.redraw();
 }
 
@@ -63,11 +65,26 @@ void CanvasView::zoom(double factor) {
   set_camera(zoomed_about(canvas_.camera, canvas_.size(), canvas_.size() / 2.0, factor));
 }
 
-void CanvasView::actual_size() {
-  Camera camera = canvas_.camera;
+double CanvasView::zoom_level() const {
   // The unit of a mesh that was made of an image is the image's pixel.
-  camera.pixels_per_unit = (draft_.document().texture_box ? 1 : 100) * canvas_.ui_scale;
-  set_camera(camera);
+  const double unit = (draft_.document().texture_box ? 1 : 100) * canvas_.ui_scale;
+  return canvas_.camera.pixels_per_unit / unit;
+}
+
+void CanvasView::set_zoom_level(double level) {
+  if (std::isfinite(level) && level > 0) zoom(level / zoom_level());
+}
+
+std::optional<TextureBox> CanvasView::artboard() const {
+  const Document& document = draft_.document();
+  return document.texture.empty() ? std::nullopt : document.texture_box;
+}
+
+void CanvasView::fit_artboard() {
+  const auto box = artboard();
+  if (!box) return;
+  const Box shown{{box->min.x(), box->min.y()}, {box->max.x(), box->max.y()}};
+  set_camera(fit_to_box(shown, canvas_.size(), kMargin * canvas_.ui_scale));
 }
 
 void CanvasView::fit_all() {
@@ -77,8 +94,14 @@ void CanvasView::fit_all() {
   Box box = box_at(shown.deformed.col((*shown.triangles)(0, 0)));
   for (const int v : shown.triangles->reshaped()) extend(box, shown.deformed.col(v));
   for (const HandleView& handle : handle_views(draft_)) extend(box, handle.target);
+  if (beside() == Beside::kept_pose) {
+    const Snapshot& kept = *comparison_.kept();
+    for (const int v : kept.triangles->reshaped()) extend(box, kept.deformed.col(v));
+    side_pane_.align(fit_to_box(box, canvas_.size(), kMargin * canvas_.ui_scale));
+    return move_camera(side_pane_.pane().camera);
+  }
   const Camera camera = fit_to_box(box, canvas_.size(), kMargin * canvas_.ui_scale);
-  move_camera(remesh_diff_.fit(*shown.rest, camera, kMargin));
+  move_camera(side_pane_.fit(*shown.rest, camera, kMargin));
 }
 
 void CanvasView::fit_selection() {
@@ -104,23 +127,30 @@ void CanvasView::hide_overlays(bool hidden) {
   messages_.redraw();
 }
 
-void CanvasView::toggle_remesh_diff() {
-  remesh_diff_.show(!remesh_diff_.is_shown());
-  is_fitted_ = true;  // the canvas changes its size next
+Beside CanvasView::beside() const {
+  const Beside content = side_pane_.content();
+  return content == Beside::kept_pose && !comparison_.kept() ? Beside::nothing : content;
+}
+
+void CanvasView::toggle_beside(Beside content) {
+  const Beside before = beside();
+  side_pane_.show(before == content ? Beside::nothing : content);
+  is_fitted_ = true;  // where the canvas changes its size next, that comes too early
+  if (before != Beside::nothing && beside() != Beside::nothing) fit_all();
   messages_.redraw();
 }
 
 void CanvasView::toggle_link() {
-  if (remesh_diff_.is_linked())
-    remesh_diff_.unlink();
+  if (side_pane_.is_linked())
+    side_pane_.unlink();
   else
-    remesh_diff_.link(canvas_.camera);
+    side_pane_.link(canvas_.camera);
   messages_.redraw();
 }
 
-void CanvasView::set_rest_camera(const Camera& camera) {
+void CanvasView::set_side_camera(const Camera& camera) {
   is_fitted_ = false;
-  canvas_.camera = remesh_diff_.move(camera, canvas_.camera);
+  canvas_.camera = side_pane_.move(camera, canvas_.camera);
   messages_.redraw();
 }
 

@@ -32,9 +32,11 @@ bool can_play(const Editor& e) {
   return e.playback().can_scrub() && e.playback().iterations().size() > 1;
 }
 bool is_solving(const Editor& e) { return e.playback().is_solving(); }
-bool is_diff_shown(const Editor& e) { return e.view().remesh_diff().is_shown(); }
-bool is_diff_linked(const Editor& e) {
-  return is_diff_shown(e) && e.view().remesh_diff().is_linked();
+bool is_diff_shown(const Editor& e) { return e.view().beside() == Beside::rest_mesh; }
+bool are_poses_shown(const Editor& e) { return e.view().beside() == Beside::kept_pose; }
+bool has_two_panes(const Editor& e) { return e.view().beside() != Beside::nothing; }
+bool are_panes_linked(const Editor& e) {
+  return has_two_panes(e) && e.view().side_pane().is_linked();
 }
 bool is_stuck(const Editor& e) { return e.stuck().handle() != nullptr; }
 bool has_race(const Editor& e) { return e.race().is_open(); }
@@ -69,6 +71,7 @@ CanvasView& part_with(void (CanvasView::*)(), Editor& e) { return e.view(); }
 Playback& part_with(void (Playback::*)(), Editor& e) { return e.playback(); }
 PoseComparison& part_with(void (PoseComparison::*)(), Editor& e) { return e.comparison(); }
 StiffnessBrush& part_with(void (StiffnessBrush::*)(), Editor& e) { return e.brush(); }
+BoneTool& part_with(void (BoneTool::*)(), Editor& e) { return e.bone_tool(); }
 StuckHelp& part_with(void (StuckHelp::*)(), Editor& e) { return e.stuck(); }
 
 /// A member function of a part as an action.
@@ -110,6 +113,26 @@ void find_lost_work(Editor& e) {
   e.files().find_lost_work();
   if (!e.files().recovery().is_open())
     e.messages().toast(ToastKind::notice, "There is no unsaved work to recover");
+}
+
+void take_no_tool(Editor& e) {
+  if (e.brush().is_on()) e.brush().toggle();
+  if (e.bone_tool().is_on()) e.bone_tool().toggle();
+}
+
+/// One tool is in the hand at most.
+template <auto Toggle>
+void take_tool(Editor& e) {
+  auto& tool = part_with(Toggle, e);
+  const bool was_on = tool.is_on();
+  take_no_tool(e);
+  if (!was_on) tool.toggle();
+}
+
+/// The first time the pose on screen is kept: what is edited next is seen beside it.
+void toggle_poses(Editor& e) {
+  if (!e.comparison().kept()) e.comparison().keep();
+  e.view().toggle_beside(Beside::kept_pose);
 }
 
 /// The same command, in a race too.
@@ -181,9 +204,10 @@ std::vector<Command> handle_commands() {
       nudging("handle.right", "Nudge right", Key::right, [](Editor& e) { nudge(e, {1, 0}); }),
       nudging("handle.up", "Nudge up", Key::up, [](Editor& e) { nudge(e, {0, 1}); }),
       nudging("handle.down", "Nudge down", Key::down, [](Editor& e) { nudge(e, {0, -1}); }),
-      {"handle.move", "Handles", "Move handles", {{Key::v, kNone}}, has_mesh, [](Editor& e) { if (e.brush().is_on()) e.brush().toggle(); }, [](const Editor& e) { return !e.brush().is_on(); }},
-      {"stiffness.paint", "Handles", "Paint stiffness", {{Key::b, kNone}}, has_mesh, call<&StiffnessBrush::toggle>, [](const Editor& e) { return e.brush().is_on(); }},
+      {"handle.move", "Handles", "Move handles", {{Key::v, kNone}}, has_mesh, take_no_tool, [](const Editor& e) { return !e.brush().is_on() && !e.bone_tool().is_on(); }},
+      {"stiffness.paint", "Handles", "Paint stiffness", {{Key::b, kNone}}, has_mesh, take_tool<&StiffnessBrush::toggle>, [](const Editor& e) { return e.brush().is_on(); }},
       {"stiffness.clear", "Handles", "Remove all stiffness", {}, [](const Editor& e) { return e.brush().can_clear(); }, call<&StiffnessBrush::clear>},
+      {"bones.draw", "Handles", "Draw bones", {{Key::n, kNone}}, has_mesh, take_tool<&BoneTool::toggle>, [](const Editor& e) { return e.bone_tool().is_on(); }},
       {"bones.make", "Handles", "Make bones", {{Key::j, kNone}}, can_make_bones, make_bones},
       {"bones.remove", "Handles", "Take bones apart", {{Key::j, kShift}}, can_take_bones_apart, take_bones_apart},
       {"mirror.toggle", "Handles", "Mirror", {{Key::x, kNone}}, has_mesh, toggle_mirror, is_mirror_on},
@@ -221,9 +245,10 @@ std::vector<Command> view_commands() {
       repeating({"view.zoom_out", "View", "Zoom out", {{Key::minus, kNone}}, always, [](Editor& e) { e.view().zoom(1 / kZoomStep); }}),
       in_race({"view.fit", "View", "Fit all", {{Key::home, kNone}}, has_mesh, transport<&Race::fit, &CanvasView::fit_all>}),
       {"view.fit_selection", "View", "Fit selection", {{Key::f, kNone}}, has_mesh, call<&CanvasView::fit_selection>},
+      {"view.fit_canvas", "View", "Fit the canvas", {}, [](const Editor& e) { return e.view().artboard().has_value(); }, call<&CanvasView::fit_artboard>},
       {"view.actual_size", "View", "100 %", {{Key::digit_0, kControl}}, always, call<&CanvasView::actual_size>},
-      {"view.remesh_diff", "View", "Rest and deformed side by side", {{Key::d, kNone}}, has_mesh, call<&CanvasView::toggle_remesh_diff>, is_diff_shown},
-      {"view.link_panes", "View", "Move both sides together", {{Key::d, kShift}}, is_diff_shown, call<&CanvasView::toggle_link>, is_diff_linked},
+      {"view.remesh_diff", "View", "Rest and deformed side by side", {{Key::d, kNone}}, has_mesh, [](Editor& e) { e.view().toggle_beside(Beside::rest_mesh); }, is_diff_shown},
+      {"view.link_panes", "View", "Move both sides together", {{Key::d, kShift}}, has_two_panes, call<&CanvasView::toggle_link>, are_panes_linked},
       in_race({"view.mesh", "View", "Show the mesh", {{Key::tab, kNone}}, always, call<&CanvasView::toggle_mesh>, [](const Editor& e) { return e.view().is_mesh_shown(); }}),
       layer<0>("view.fill"),
       layer<1>("view.wireframe"),
@@ -241,6 +266,7 @@ std::vector<Command> view_commands() {
        [](const Editor& e) { return e.comparison().is_held(); },
        [](Editor& e) { e.comparison().hold(false); }},
       {"compare.keep", "View", "Keep this pose to compare with", {{Key::backslash, kShift}}, has_mesh, call<&PoseComparison::keep>},
+      {"compare.side_by_side", "View", "Kept pose side by side", {{Key::backslash, kControl}}, has_mesh, toggle_poses, are_poses_shown},
       {"compare.forget", "View", "Forget the kept pose", {}, [](const Editor& e) { return e.comparison().kept() != nullptr; }, call<&PoseComparison::forget>},
       {"compare.outline", "View", "Outline of this pose, on or off", {{Key::o, kNone}}, has_mesh, call<&PoseComparison::toggle_outline>},
       {"compare.clear", "View", "Remove all outlines", {{Key::o, kShift}}, [](const Editor& e) { return e.comparison().has_outlines(); }, call<&PoseComparison::clear_outlines>},

@@ -12,13 +12,14 @@ namespace foldless {
 Editor::Editor(const EditorOptions& options)
     : draft_(messages_, options.wake, options.history_bytes),
       race_(options.wake),
-      view_(draft_, messages_),
+      comparison_(draft_, messages_),
+      view_(draft_, comparison_, messages_),
       playback_(draft_, race_, messages_),
       edits_(draft_),
       files_({draft_, view_, race_, messages_}, options.state_folder, options.wake),
       stuck_(draft_, messages_),
       brush_(draft_),
-      comparison_(draft_, messages_),
+      bone_tool_(draft_),
       input_(*this) {
   draft_.on_interrupt([this] { return input_.cancel_gesture(); });
 }
@@ -62,10 +63,13 @@ void Editor::escape() {
   if (files_.recovery().is_open()) return files_.recovery().close();
   if (race_.is_open()) return toggle_race();
   if (input_.cancel_gesture()) return;
+  if (!bone_tool_.chain().empty()) return bone_tool_.end_chain();
+  if (bone_tool_.is_on()) return bone_tool_.toggle();
   if (brush_.is_on()) return brush_.toggle();
   if (playback_.is_solving()) return playback_.stop();
   if (playback_.is_playing()) return playback_.toggle_play();
   if (draft_.look_back()) return draft_.look_at_newest();
+  if (view_.beside() == Beside::kept_pose) return view_.toggle_beside(Beside::kept_pose);
   selection().select_none();
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "app/editor/bone_tool.h"
 #include "app/editor/canvas_view.h"
 #include "app/editor/document_edits.h"
 #include "app/editor/document_files.h"
@@ -53,8 +54,9 @@ class Editor {
   std::optional<double> next_wake() const;
   /// Runs a command of the table if it is enabled; returns whether it was.
   bool run_command(std::string_view name);
-  /// Stages of Esc: leave import, recovery or race, cancel the gesture, put the brush
-  /// away, stop solving, stop playing, leave the iteration that is shown, deselect.
+  /// Stages of Esc: leave import, recovery or race, cancel the gesture, end the
+  /// bones that are drawn, put the tool away, stop solving, stop playing, leave the iteration that
+  /// is shown, leave the kept pose beside the canvas, deselect.
   void escape();
 
   // Its parts.
@@ -74,6 +76,8 @@ class Editor {
   const PoseComparison& comparison() const { return comparison_; }
   StiffnessBrush& brush() { return brush_; }
   const StiffnessBrush& brush() const { return brush_; }
+  BoneTool& bone_tool() { return bone_tool_; }
+  const BoneTool& bone_tool() const { return bone_tool_; }
   StuckHelp& stuck() { return stuck_; }
   const StuckHelp& stuck() const { return stuck_; }
   Messages& messages() { return messages_; }
@@ -105,13 +109,14 @@ class Editor {
   Messages messages_;
   Draft draft_;
   Race race_;
+  PoseComparison comparison_;
   CanvasView view_;
   Playback playback_;
   DocumentEdits edits_;
   DocumentFiles files_;
   StuckHelp stuck_;
   StiffnessBrush brush_;
-  PoseComparison comparison_;
+  BoneTool bone_tool_;
   Keymap keys_;
   EditorInput input_;
 };

@@ -40,6 +40,7 @@ std::vector<KeyPreset> presets() {
            {"edit.delete", {{Key::x, kPlain}, {Key::del, kPlain}}},
            {"edit.reset_pose", {{Key::g, kWithAlt}}},
            {"handle.move", {{Key::g, kPlain}}},
+           {"bones.draw", {{Key::e, kPlain}}},
            {"mirror.toggle", {{Key::m, kWithControl}}},
            {"view.panels", {{Key::n, kPlain}}},
            {"view.workspace.switch", {{Key::page_down, kWithControl}}},

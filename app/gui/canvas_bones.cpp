@@ -36,7 +36,8 @@ void draw_bone(const Vec2& from, const Vec2& to, const CanvasBrush& brush, const
 
 }  // namespace
 
-void draw_bones(const Editor& editor, const CanvasBrush& brush, const Look& look) {
+void draw_bones(const Editor& editor, const CanvasBrush& brush, const PanelContext& context) {
+  const Look& look = context.look;
   const Snapshot& shown = *editor.shown();
   const auto pixel_of_joint = [&](int id) {
     const auto handle = std::ranges::find(shown.handles, id, &Handle::id);
@@ -45,6 +46,9 @@ void draw_bones(const Editor& editor, const CanvasBrush& brush, const Look& look
   for (const Bones& bones : bones_of(editor.document().rig.bones, shown.handles))
     for (std::size_t i = 1; i < bones.size(); ++i)
       draw_bone(pixel_of_joint(bones[i - 1]), pixel_of_joint(bones[i]), brush, look);
+  const Bones drawn = editor.bone_tool().chain();
+  if (!drawn.empty() && context.state.pointer)
+    draw_bone(pixel_of_joint(drawn.back()), *context.state.pointer, brush, look);
 }
 
 }  // namespace foldless

@@ -26,8 +26,8 @@ void draw_plate(const std::string& words, const ImVec2& middle, const CanvasBrus
 /// The outlines of other poses.
 void draw_outlines(const Editor& editor, const CanvasBrush& brush, const Look& look);
 
-/// The bones between the joints of the mesh on screen.
-void draw_bones(const Editor& editor, const CanvasBrush& brush, const Look& look);
+/// The bones between the joints of the mesh on screen, and the one that a click would add.
+void draw_bones(const Editor& editor, const CanvasBrush& brush, const PanelContext& context);
 
 /// The mirror's axis while it is on, with ends that can be dragged.
 void draw_mirror(const Editor& editor, const CanvasBrush& brush, const Look& look);

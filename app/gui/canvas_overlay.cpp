@@ -77,10 +77,10 @@ void draw_heat_notes(Editor& editor, const PanelContext& context, const CanvasBr
       state.hovered_heat =
           heat_of(snapshot, *editor.document().energy, state.heat_range->measure, *under);
   }
-  if (state.heat_range->triangle_at_max >= snapshot.triangles->cols()) return;
+  const int triangle = state.heat_range->triangle_at_max;
+  if (triangle == kElsewhere || triangle >= snapshot.triangles->cols()) return;
   const Look& look = context.look;
-  const ImVec2 place =
-      brush.at(editor.canvas().to_pixel(centroid(snapshot, state.heat_range->triangle_at_max)));
+  const ImVec2 place = brush.at(editor.canvas().to_pixel(centroid(snapshot, triangle)));
   brush.list.AddCircle(place, look.px(9), IM_COL32_BLACK, 0, look.px(3.4F));
   brush.list.AddCircle(place, look.px(9), IM_COL32_WHITE, 0, look.px(1.6F));
   draw_plate("max " + short_number(state.heat_range->max), {place.x, place.y + look.px(22)}, brush,
@@ -165,13 +165,13 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   if (!editor.view().are_overlays_hidden()) draw_outlines(editor, brush, context.look);
   if (editor.view().shown_options().layers.handles) {
     draw_mirror(editor, brush, context.look);
-    draw_bones(editor, brush, context.look);
+    draw_bones(editor, brush, context);
   }
   draw_heat_notes(editor, context, brush);
   if (editor.view().shown_options().layers.handles) draw_distances(editor, brush, context.look);
   if (!editor.view().are_overlays_hidden()) draw_handle_notes(editor, brush, context);
   if (!editor.draft().is_editing() && !editor.view().are_overlays_hidden() &&
-      !editor.view().remesh_diff().is_shown())
+      editor.view().beside() == Beside::nothing)
     draw_description(editor.document().description, context);
   if (editor.brush().is_on()) draw_brush(editor, brush, context);
   if (const auto band = editor.input().band()) draw_band(*band, brush, context.look);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/editor/input.h"
+#include "app/gui/choice_list.h"
 #include "app/gui/key_press.h"
 
 namespace foldless {
@@ -67,21 +68,10 @@ void walk_controls(ImGuiWindow& dialog, bool backwards) {
   g.NavTabbingCounter = -1;
 }
 
-void walk_list_of_choices(bool backwards) {
-  const ImGuiDir direction = backwards ? ImGuiDir_Up : ImGuiDir_Down;
-  ImGui::NavMoveRequestSubmit(direction, direction, ImGuiNavMoveFlags_None,
-                              ImGuiScrollFlags_KeepVisibleEdgeY);
-}
-
 bool walks(ImGuiWindow& popup) {
-  if (is_modal(popup)) {
-    if (!is_pressed(Key::tab, true)) return false;
-    walk_controls(popup, ImGui::GetIO().KeyShift);
-    return true;
-  }
-  const bool up = is_pressed(Key::up, true);
-  if (!up && !is_pressed(Key::down, true)) return false;
-  walk_list_of_choices(up);
+  if (!is_modal(popup)) return walk_choices(popup);
+  if (!is_pressed(Key::tab, true)) return false;
+  walk_controls(popup, ImGui::GetIO().KeyShift);
   return true;
 }
 

@@ -6,7 +6,7 @@
 namespace foldless {
 
 // The keyboard in dialogs: Tab walks through the controls of the topmost one, Shift+Tab back, Space
-// or Enter presses the one that has the focus. In the list of a combo box the arrows walk. A ring
+// or Enter presses the one that has the focus. In the list of a combo box see choice_list.h. A ring
 // shows the focus until the mouse is pressed. Dear ImGui 1.86 by itself walks text fields alone, so
 // its navigation requests are made here.
 

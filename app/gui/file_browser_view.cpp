@@ -18,6 +18,8 @@ void FileBrowser::draw(const Look& look) {
   if (!is_open_) return;
   if (!begin_dialog("##file browser", look, ImVec2{780, 520})) return;
   const bool had_text = !text_.empty();
+  const bool is_asking = !replacing_.empty();
+  ImGui::BeginDisabled(is_asking);  // until it is answered, nothing else can be done
   draw_title(look);
   draw_breadcrumbs(look);
   ImGui::PushFont(look.fonts.small);
@@ -37,7 +39,8 @@ void FileBrowser::draw(const Look& look) {
   end_list_rows();
   ImGui::EndChild();
   ImGui::PopStyleColor();
-  if (!replacing_.empty()) {
+  ImGui::EndDisabled();
+  if (is_asking) {
     draw_replace_question(look);
   } else {
     draw_footer(look);
@@ -135,7 +138,7 @@ void FileBrowser::draw_row(std::size_t row, const Look& look) {
     const float x = corner.x + width - ImGui::CalcTextSize(size.c_str()).x - look.px(4);
     list.AddText({x, corner.y}, packed(look.palette->dim), size.c_str());
   }
-  if (!clicked || !replacing_.empty()) return;
+  if (!clicked) return;
   // A folder opens at once; the name that is typed so far stays.
   if (entry.is_folder) return enter(listing_.folder / entry.name);
   choose_row(row);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <array>
@@ -7,6 +8,7 @@
 
 #include "app/editor/handle_edits.h"
 #include "app/editor/turning.h"
+#include "app/gui/choice_list.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
@@ -37,7 +39,8 @@ void draw_kind_choice(const SelectedHandles& selected, Editor& editor, const Loo
   const char* title = selected.kind ? kTitles[static_cast<std::size_t>(*selected.kind)] : "several";
   if (begin_combo("##kind", title)) {
     for (std::size_t i = 0; i < kTitles.size(); ++i)
-      if (ImGui::Selectable(kTitles[i])) set_kind(editor, static_cast<HandleKind>(i));
+      if (choice_entry(kTitles[i], selected.kind == static_cast<HandleKind>(i)))
+        set_kind(editor, static_cast<HandleKind>(i));
     ImGui::EndCombo();
   }
   tooltip(

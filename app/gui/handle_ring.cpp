@@ -43,7 +43,8 @@ void draw_ring(const HandleRing& ring, bool is_near, const CanvasBrush& brush, c
 
 void draw_handle_notes(Editor& editor, const CanvasBrush& brush, const PanelContext& context) {
   const Look& look = context.look;
-  if (const auto ring = handle_ring(editor); ring && !editor.brush().is_on()) {
+  if (const auto ring = handle_ring(editor);
+      ring && !editor.brush().is_on() && !editor.bone_tool().is_on()) {
     const auto& pointer = context.state.pointer;
     draw_ring(*ring, pointer && ring->is_near(*pointer, editor.canvas()), brush, look);
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <array>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/hints.h"
 
+#include "app/editor/mirroring.h"
+
 namespace foldless {
 namespace {
 
@@ -26,8 +28,15 @@ std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
   if (editor.draft().is_editing()) return "Release to set the target · Esc takes the drag back";
   if (editor.brush().is_on())
     return "Drag paints stiffness · Shift takes it back · [ and ] change the size · Esc ends";
+  if (editor.bone_tool().is_on())
+    return editor.bone_tool().chain().empty()
+               ? "Click places the root of bones, or takes a handle for it · Esc ends"
+               : "Click adds the next joint · Enter or Esc ends these bones";
   if (editor.input().band() || !editor.input().lasso().empty())
     return "Release to select · Shift adds · Ctrl takes away · Esc cancels";
+  if (editor.view().beside() == Beside::kept_pose && modifiers == Modifiers{} &&
+      !editor.selection().hovered())
+    return "The kept pose at the left, the one you edit at the right · Esc ends";
   if (modifiers.control)
     return "Ctrl+drag takes away from the selection" +
            key_hint(editor, "help.search", "finds commands");
@@ -35,6 +44,9 @@ std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
   if (editor.selection().hovered())
     return "Drag to bend" + key_hint(editor, "edit.delete", "removes what is selected") +
            " · Shift adds";
+  if (is_mirror_on(editor))
+    return "Mirror: handles come in pairs and move in pairs · drag the axis by its ends" +
+           key_hint(editor, "mirror.toggle", "ends");
   return "Click places a handle, drag bends · wheel zooms, middle drag pans" +
          key_hint(editor, "help.keys", "all keys");
 }

@@ -38,6 +38,8 @@ enum class Icon : ImWchar {
   compare = 0xF18A,
   race = 0xF23C,
   picture = 0xF2E9,
+  bones = 0xF0B9,
+  mirror = 0xF61E,
 };
 
 /// First and last of each range of characters, ended by 0 as ImGui wants it.

@@ -37,6 +37,21 @@ InterfaceCommand choice(const Submenu& place, const ChoiceWords& words, Value Se
           [=](const UiState& state) { return state.settings.*setting == value; }};
 }
 
+/// A switch in the View menu.
+struct SwitchWords {
+  std::string name, title;
+  std::vector<Shortcut> shortcuts;
+};
+InterfaceCommand on_off(SwitchWords words, bool Settings::*setting) {
+  return {std::move(words.name),
+          "View",
+          "",
+          std::move(words.title),
+          std::move(words.shortcuts),
+          [=](UiState& state) { state.settings.*setting = !(state.settings.*setting); },
+          [=](const UiState& state) { return state.settings.*setting; }};
+}
+
 void add_autosave(std::vector<InterfaceCommand>& commands) {
   for (const auto& [title, seconds] :
        {std::pair{"15 seconds", 15.0}, std::pair{"1 minute", 60.0}, std::pair{"5 minutes", 300.0},
@@ -73,13 +88,11 @@ void add_panels(std::vector<InterfaceCommand>& commands) {
                       },
                       {}});
   commands.push_back(
-      {"view.panels",
-       "View",
-       "",
-       "Side panels",
-       {{Key::f4, {}}},
-       [](UiState& state) { state.settings.shows_panels = !state.settings.shows_panels; },
-       [](const UiState& state) { return state.settings.shows_panels; }});
+      on_off({"view.panels", "Side panels", {{Key::f4, {}}}}, &Settings::shows_panels));
+  commands.push_back(
+      on_off({"view.rulers", "Rulers", {{Key::r, {.shift = true}}}}, &Settings::shows_rulers));
+  commands.push_back(
+      on_off({"view.artboard", "Outline of the canvas", {}}, &Settings::shows_artboard));
 }
 
 void add_dialogs(std::vector<InterfaceCommand>& commands) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/keys_dialog.h"
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "app/editor/editor.h"
+#include "app/gui/choice_list.h"
 #include "app/gui/dialog_keys.h"
 #include "app/gui/directory.h"
 #include "app/gui/widgets.h"
@@ -42,7 +44,7 @@ void draw_presets(Keymap& keymap, const Look& look) {
   ImGui::SetNextItemWidth(look.px(130));
   if (begin_combo("##preset", std::string(current ? current->title : ""))) {
     for (const KeyPreset& preset : key_presets()) {
-      if (!ImGui::Selectable(preset.title.data(), &preset == current)) continue;
+      if (!choice_entry(preset.title.data(), &preset == current)) continue;
       KeyChoice choice = keymap.choice();
       choice.preset = preset.name;
       keymap.choose(std::move(choice));

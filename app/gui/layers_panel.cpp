@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/gui/choice_list.h"
 #include "app/gui/heat_legend.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
@@ -26,9 +27,12 @@ void draw_layer_row(std::size_t index, Layers& layers, const Look& look) {
 void draw_heat_controls(ViewOptions& view, const PanelContext& context) {
   static constexpr std::array kMeasures{"Conformal σ₁/σ₂", "Area A′/A", "Energy density ψ"};
   ImGui::SetNextItemWidth(-1);
-  int measure = static_cast<int>(view.heat_measure);
-  if (ImGui::Combo("##measure", &measure, kMeasures.data(), kMeasures.size()))
-    view.heat_measure = static_cast<HeatMeasure>(measure);
+  const auto present = static_cast<std::size_t>(view.heat_measure);
+  if (begin_combo("##measure", kMeasures[present])) {
+    for (std::size_t i = 0; i < kMeasures.size(); ++i)
+      if (choice_entry(kMeasures[i], i == present)) view.heat_measure = static_cast<HeatMeasure>(i);
+    ImGui::EndCombo();
+  }
   tooltip("What the heat map shows of each triangle.", context.look);
   if (context.state.heat_range)
     draw_heat_legend(*context.state.heat_range, context.state.hovered_heat, context.look);

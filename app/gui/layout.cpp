@@ -13,7 +13,17 @@ constexpr float kTimeline = 40;
 constexpr float kStrip = 40;
 constexpr float kLeft = 228;
 constexpr float kRight = 284;
+constexpr float kRuler = 18;
 constexpr float kNarrow = 960;  ///< design pixels under which one panel holds all sections
+
+Rulers cut_off_rulers(Rectangle& pane, float wish) {
+  const float size = std::min({wish, pane.width, pane.height});
+  Rulers rulers;
+  rulers.top = {pane.x, pane.y, pane.width, size};
+  rulers.left = {pane.x, pane.y + size, size, pane.height - size};
+  pane = {pane.x + size, pane.y + size, pane.width - size, pane.height - size};
+  return rulers;
+}
 
 }  // namespace
 
@@ -43,10 +53,16 @@ Layout layout_for(Extent framebuffer, float scale, SidePanels panels) {
 void split_canvas(Layout& layout, float scale) {
   const float line = std::round(2 * scale);
   const float half = std::max(0.0F, std::floor((layout.canvas.width - line) / 2));
-  layout.rest = layout.canvas;
-  layout.rest.width = half;
+  layout.side = layout.canvas;
+  layout.side.width = half;
   layout.canvas.x += layout.canvas.width - half;
   layout.canvas.width = half;
+}
+
+void add_rulers(Layout& layout, float scale) {
+  const float size = std::round(kRuler * scale);
+  layout.rulers = cut_off_rulers(layout.canvas, size);
+  if (layout.side.width > 0) layout.side_rulers = cut_off_rulers(layout.side, size);
 }
 
 }  // namespace foldless

@@ -14,6 +14,12 @@ struct Rectangle {
   }
 };
 
+/// Along the upper and the left border of a pane; without width where there are none.
+struct Rulers {
+  Rectangle top;  ///< as wide as the pane and the left one together
+  Rectangle left;
+};
+
 /// Where the parts of the window are. They never overlap and fill the window, but for
 /// the line between two panes.
 struct Layout {
@@ -23,7 +29,9 @@ struct Layout {
   Rectangle right;  ///< without width where there is none
   Rectangle canvas;
   Rectangle
-      rest;  ///< the pane beside the canvas, as large as it; without width where there is none
+      side;       ///< the pane beside the canvas, as large as it; without width where there is none
+  Rulers rulers;  ///< of the canvas
+  Rulers side_rulers;  ///< of the pane beside it
   Rectangle timeline;
   Rectangle status_bar;
 };
@@ -34,7 +42,10 @@ enum class SidePanels { none, one, two };
 /// For a framebuffer and framebuffer pixels in one design pixel.
 Layout layout_for(Extent framebuffer, float scale, SidePanels panels);
 
-/// Gives the left half of the canvas to the pane of the rest mesh.
+/// Gives the left half of the canvas to the pane beside it.
 void split_canvas(Layout& layout, float scale);
+
+/// Gives rulers what they need of the canvas, and of the pane beside it.
+void add_rulers(Layout& layout, float scale);
 
 }  // namespace foldless

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/new_folder.h"
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <utility>

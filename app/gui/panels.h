@@ -26,8 +26,12 @@ void draw_side_panels(Editor& editor, const PanelContext& context);
 void draw_timeline_panel(Editor& editor, const PanelContext& context);
 /// Hints of what the mouse does now, the status in words, and the proof badge.
 void draw_status_bar(Editor& editor, const PanelContext& context);
-/// The pane of the rest mesh, and in both panes what is pointed at.
-void draw_remesh_panes(Editor& editor, const PanelContext& context);
+/// Coordinates along the borders of the canvas, and where the pointer is on them.
+void draw_rulers(const Editor& editor, const PanelContext& context);
+/// The outline of the canvas that a drawing was painted on.
+void draw_artboard(const Editor& editor, const PanelContext& context);
+/// The pane beside the canvas, and what both are.
+void draw_side_panes(Editor& editor, const PanelContext& context);
 /// What stands in the way of handles that do not get to their targets, and what helps.
 void draw_stuck_card(Editor& editor, const PanelContext& context);
 /// Lanes, plots and table of the race, over everything between menu and timeline.

@@ -5,16 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "app/gui/round_ticks.h"
+
 namespace foldless {
 namespace {
-
-/// The smallest of 1, 2, 5 times a power of ten that is not below `least`.
-double round_step(double least) {
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least * (1 - 1e-9)) return factor * power;
-  return 10 * power;
-}
 
 std::string tick_words(double value) {
   std::array<char, 32> text{};
@@ -23,8 +17,7 @@ std::string tick_words(double value) {
 }
 
 void append_round_ticks(std::vector<PlotTick>& ticks, double low, double high, double step) {
-  for (double k = std::ceil(low / step); k * step <= high * (1 + 1e-9); ++k)
-    ticks.push_back({k * step, tick_words(k * step)});
+  for (const double value : multiples(step, low, high)) ticks.push_back({value, tick_words(value)});
 }
 
 /// What of the positions is seen.

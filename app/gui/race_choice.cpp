@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/gui/choice_list.h"
 #include "app/gui/race_panel.h"
 #include "app/gui/widgets.h"
 #include "core/energy/densities.h"
@@ -24,7 +25,7 @@ struct RoomForChoice {
 
 void choose_method(Race& race, std::size_t lane) {
   for (const MethodRow& row : methods())
-    if (ImGui::Selectable(row.title.data(), race.setup().methods[lane] == row.name)) {
+    if (choice_entry(row.title.data(), race.setup().methods[lane] == row.name)) {
       RaceSetup changed = race.setup();
       changed.methods[lane] = row.name;
       return race.set_setup(changed);
@@ -33,7 +34,7 @@ void choose_method(Race& race, std::size_t lane) {
 
 void choose_energy(Race& race, std::size_t lane) {
   for (const Density& density : densities())
-    if (ImGui::Selectable(density.title.data(), race.setup().energies[lane] == &density)) {
+    if (choice_entry(density.title.data(), race.setup().energies[lane] == &density)) {
       RaceSetup changed = race.setup();
       changed.energies[lane] = &density;
       return race.set_setup(changed);

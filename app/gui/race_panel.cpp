@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "app/gui/choice_list.h"
 #include "app/gui/race_layout.h"
 #include "app/gui/short_text.h"
 #include "app/gui/view_pane.h"
@@ -36,11 +37,11 @@ void draw_varied(Race& race, const Look& look) {
   const char* present = varies_method ? "Methods" : "Energies";
   ImGui::SetNextItemWidth(look.px(190));
   if (begin_combo("##varied", varied ? varied->title.data() : present)) {
-    if (ImGui::Selectable("Methods", varies_method)) race.set_setup(method_race(race.document()));
-    if (ImGui::Selectable("Energies", setup.varies_energy()))
+    if (choice_entry("Methods", varies_method)) race.set_setup(method_race(race.document()));
+    if (choice_entry("Energies", setup.varies_energy()))
       race.set_setup(energy_race(race.document()));
     for (const ParameterRow& row : parameter_rows())
-      if (ImGui::Selectable(row.title.data(), varied == &row))
+      if (choice_entry(row.title.data(), varied == &row))
         race.set_setup(parameter_race(row, race.document()));
     ImGui::EndCombo();
   }
@@ -69,7 +70,7 @@ void draw_start(Race& race, const Look& look) {
   ImGui::SetNextItemWidth(look.px(176));
   if (begin_combo("##start", kStarts[present])) {
     for (std::size_t i = 0; i < kStarts.size(); ++i)
-      if (ImGui::Selectable(kStarts[i], i == present) && i != present) {
+      if (choice_entry(kStarts[i], i == present) && i != present) {
         RaceSetup setup = race.setup();
         setup.starts_at_rest = i == 0;
         race.set_setup(setup);

@@ -20,20 +20,22 @@ Snapshot with_targets_at_rest(Snapshot snapshot) {
   return snapshot;
 }
 
-HeatRange range_of(const SceneInSight& lane) {
-  const ViewOptions& options = lane.options;
+HeatRange range_of(const SceneInSight& scene) {
+  const ViewOptions& options = scene.options;
   if (options.heat_measure != HeatMeasure::energy)
-    return distortion_of(*lane.pose, options.heat_measure).range;
-  return distortion_of(energy_densities(*lane.pose, *lane.energy, options)).range;
+    return distortion_of(*scene.pose, options.heat_measure).range;
+  return distortion_of(energy_densities(*scene.pose, *scene.energy, options)).range;
 }
 
-/// One scale for all lanes of a race, so that their colours can be compared.
+/// One scale for all lanes of a race, and for two poses, so that their colours can be compared.
 std::optional<HeatRange> common_range(const Sight& sight) {
   std::optional<HeatRange> common;
   for (const SceneInSight& scene : sight.scenes) {
-    if (!scene.lane || !scene.options.layers.heat) continue;
+    if (!scene.shares_heat_scale || !scene.options.layers.heat) continue;
     const HeatRange range = range_of(scene);
     if (!common) common = range;
+    if (scene.gives_heat_range)
+      common->triangle_at_max = range.max >= common->max ? range.triangle_at_max : kElsewhere;
     common->min = std::min(common->min, range.min);
     common->max = std::max(common->max, range.max);
   }

@@ -64,6 +64,8 @@ Settings load_settings(const std::filesystem::path& file) {
   const Reader read{json};
   read.number("scale", settings.scale, kSmallestScale, kLargestScale);
   read.boolean("panels", settings.shows_panels);
+  read.boolean("artboard", settings.shows_artboard);
+  read.boolean("rulers", settings.shows_rulers);
   read.number("autosave_seconds", settings.autosave_seconds, Autosave::kShortestInterval,
               Autosave::kLongestInterval);
   read.number("window_width", settings.window_width, kLeastWindow, kLargestWindow);
@@ -92,6 +94,8 @@ std::string settings_text(const Settings& settings) {
   nlohmann::json json{{"scale", settings.scale},
                       {"theme", kThemeNames[static_cast<std::size_t>(settings.theme)]},
                       {"panels", settings.shows_panels},
+                      {"artboard", settings.shows_artboard},
+                      {"rulers", settings.shows_rulers},
                       {"closed_sections", settings.closed_sections},
                       {"closed_in_animate", settings.closed_in_animate},
                       {"window_width", settings.window_width},

@@ -22,6 +22,8 @@ struct Settings {
   double scale = 1;  ///< on top of the desktop's scale, 0.75 … 3
   Theme theme = Theme::dark;
   bool shows_panels = true;
+  bool shows_artboard = true;  ///< the outline of a drawing's canvas
+  bool shows_rulers = false;
   /// Absent: never chosen, it goes by what is open.
   std::optional<Workspace> workspace;
   std::set<std::string> closed_sections;  ///< of the lab's panels, by title

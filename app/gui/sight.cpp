@@ -39,14 +39,15 @@ SceneInSight preview_scene(const Preview& preview, const Editor& editor, const L
   return scene;
 }
 
-/// What is compared with, in place of the newest.
-SceneInSight other_pose(const Editor& editor, SceneInSight scene) {
-  if (const auto kept = editor.comparison().kept()) {
-    scene.pose = kept;
-    return scene;
-  }
+SceneInSight at_rest(SceneInSight scene) {
   scene.options.pose = Pose::rest;
   scene.has_targets_at_rest = true;
+  return scene;
+}
+
+/// Precondition: there is one.
+SceneInSight kept_pose(const Editor& editor, SceneInSight scene) {
+  scene.pose = editor.comparison().kept();
   return scene;
 }
 
@@ -63,17 +64,18 @@ std::vector<SceneInSight> document_scenes(Editor& editor, const Layout& layout,
   // Never the checkerboard in place of a picture that is still being read.
   if (editor.files().texture_image().is_reading()) scene.options.layers.fill = false;
   scene.energy = editor.document().energy;
+  const Beside beside = editor.view().beside();
+  scene.shares_heat_scale = beside == Beside::kept_pose;
   std::vector<SceneInSight> scenes;
-  if (editor.view().remesh_diff().is_shown()) {
-    SceneInSight beside = scene;
-    beside.viewport = viewport_of(layout.rest, framebuffer);
-    beside.camera = editor.view().remesh_diff().pane().camera;
-    beside.options.pose = Pose::rest;
-    beside.has_targets_at_rest = true;
-    scenes.push_back(std::move(beside));
+  if (beside != Beside::nothing) {
+    SceneInSight other = beside == Beside::rest_mesh ? at_rest(scene) : kept_pose(editor, scene);
+    other.viewport = viewport_of(layout.side, framebuffer);
+    other.camera = editor.view().side_pane().pane().camera;
+    scenes.push_back(std::move(other));
   }
   if (editor.comparison().is_held()) {
-    scenes.push_back(other_pose(editor, std::move(scene)));
+    scenes.push_back(editor.comparison().kept() ? kept_pose(editor, std::move(scene))
+                                                : at_rest(std::move(scene)));
     return scenes;
   }
   if (editor.brush().is_tinted()) scene.stiffness = editor.brush().factors();
@@ -97,7 +99,7 @@ std::vector<SceneInSight> race_scenes(const Editor& editor, const Layout& layout
     scene.options = editor.view().shown_options();
     scene.options.ui_scale = race.canvas().ui_scale;
     scene.energy = editor.document().energy;
-    scene.gives_heat_range = true;
+    scene.gives_heat_range = scene.shares_heat_scale = true;
     scenes.push_back(std::move(scene));
   }
   return scenes;

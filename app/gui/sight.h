@@ -19,6 +19,7 @@ struct SceneInSight {
   std::shared_ptr<const Snapshot> pose;            ///< never null
   bool has_targets_at_rest = false;                ///< targets belong to the deformed mesh
   bool gives_heat_range = false;                   ///< to the legend
+  bool shares_heat_scale = false;                  ///< with the others that do
   Viewport viewport;
   Camera camera;
   std::vector<int> selected = {};     ///< ids of handles

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "app/gui/choice_list.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot.h"
 #include "app/gui/widgets.h"
@@ -74,7 +75,7 @@ void draw_choice(const ParameterRow& row, double value, Editor& editor) {
   const auto current = static_cast<std::size_t>(value);
   if (!begin_combo("##value", row.choices[current].data())) return;
   for (std::size_t k = 0; k < row.choices.size(); ++k)
-    if (ImGui::Selectable(row.choices[k].data(), k == current))
+    if (choice_entry(row.choices[k].data(), k == current))
       editor.edits().set_parameter(row, static_cast<double>(k));
   ImGui::EndCombo();
 }
@@ -136,7 +137,7 @@ void draw_method_choice(Editor& editor, const Look& look) {
   ImGui::SetNextItemWidth(-1);
   if (begin_combo("##method", current ? current->title.data() : "Unknown method")) {
     for (const MethodRow& row : methods())
-      if (ImGui::Selectable(row.title.data(), &row == current)) editor.edits().set_method(row.name);
+      if (choice_entry(row.title.data(), &row == current)) editor.edits().set_method(row.name);
     ImGui::EndCombo();
   }
   tooltip("The method that moves the vertices and changes the mesh.", look);
@@ -147,7 +148,7 @@ void draw_energy_choice(Editor& editor, const Look& look) {
   ImGui::SetNextItemWidth(-1);
   if (begin_combo("##energy", current->title.data())) {
     for (const Density& row : densities())
-      if (ImGui::Selectable(row.title.data(), &row == current)) editor.edits().set_energy(row);
+      if (choice_entry(row.title.data(), &row == current)) editor.edits().set_energy(row);
     ImGui::EndCombo();
   }
   tooltip("The energy: what counts as distortion of a triangle.", look);

@@ -5,9 +5,13 @@
 #include "app/gui/panels.h"
 #include "app/gui/proof_badge.h"
 #include "app/gui/widgets.h"
+#include "app/gui/zoom_menu.h"
 
 namespace foldless {
 namespace {
+
+/// What the badge needs for its shortest words. [design pixels]
+constexpr float kShortBadge = 120;
 
 ImVec4 colour_of(StatusKind kind, const Palette& palette) {
   switch (kind) {
@@ -50,12 +54,25 @@ void draw_status(const Status& status, const Look& look) {
 /// In a race every lane has its own.
 bool has_badge(const Editor& editor) { return editor.shown() && !editor.race().is_open(); }
 
-/// Between status and badge, where there is room.
-void draw_hint(const Editor& editor, const PanelContext& context, float left) {
-  const float badge = has_badge(editor) ? ImGui::GetItemRectMin().x - ImGui::GetWindowPos().x
-                                        : context.layout.status_bar.width;
+/// At the right end; returns where what is left of the bar ends.
+float draw_badge_and_zoom(Editor& editor, const PanelContext& context, float left) {
+  const Look& look = context.look;
+  const float width = context.layout.status_bar.width;
+  if (!has_badge(editor)) return width;
+  const float room = width - left - look.px(24);
+  const float zoom = zoom_button_width(editor, look) + look.px(36);
+  const bool has_zoom = room > zoom + look.px(kShortBadge);
+  draw_proof_badge(editor.draft().proof(), has_zoom ? room - zoom : room, look);
+  const float badge = ImGui::GetItemRectMin().x - ImGui::GetWindowPos().x;
+  if (!has_zoom) return badge;
+  draw_zoom_menu(editor, badge - look.px(30), look);
+  return badge - zoom;
+}
+
+/// Between status and what is at the right, where there is room.
+void draw_hint(const Editor& editor, const PanelContext& context, float left, float right) {
   const std::string hint = hint_words(editor, context.state.modifiers);
-  if (left + ImGui::CalcTextSize(hint.c_str()).x + context.look.px(36) > badge) return;
+  if (left + ImGui::CalcTextSize(hint.c_str()).x + context.look.px(24) > right) return;
   ImGui::SameLine(left);
   ImGui::TextColored(context.look.palette->dim, "%s", hint.c_str());
 }
@@ -79,9 +96,8 @@ void draw_status_bar(Editor& editor, const PanelContext& context) {
   if (ImGui::Begin("##status", nullptr, kStatusBarFlags)) {
     draw_status(editor.race().is_open() ? editor.race().status() : editor.status(), look);
     const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
-    if (has_badge(editor))
-      draw_proof_badge(editor.draft().proof(), place.width - left - look.px(24), look);
-    draw_hint(editor, context, left + look.px(24));
+    const float right = draw_badge_and_zoom(editor, context, left);
+    draw_hint(editor, context, left + look.px(24), right);
   }
   ImGui::End();
   ImGui::PopStyleColor();

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "app/gui/choice_list.h"
 #include "app/gui/command_button.h"
 #include "app/gui/panels.h"
 #include "app/gui/short_text.h"
@@ -71,10 +72,10 @@ void draw_pace(Editor& editor, const Look& look) {
   };
   ImGui::SetNextItemWidth(look.px(108));
   if (begin_combo("##pace", words(editor.playback().pace()))) {
-    if (ImGui::Selectable("Full speed", !editor.playback().pace()))
+    if (choice_entry("Full speed", !editor.playback().pace()))
       editor.playback().set_pace(std::nullopt);
     for (const int pace : kPaces)
-      if (ImGui::Selectable(words(pace).c_str(), editor.playback().pace() == pace))
+      if (choice_entry(words(pace).c_str(), editor.playback().pace() == pace))
         editor.playback().set_pace(pace);
     ImGui::EndCombo();
   }

@@ -14,8 +14,9 @@ struct Tool {
   Icon icon;
 };
 
-constexpr std::array kHandTools{Tool{"handle.move", Icon::pointer},
-                                Tool{"stiffness.paint", Icon::brush}};
+constexpr std::array kHandTools{
+    Tool{"handle.move", Icon::pointer}, Tool{"stiffness.paint", Icon::brush},
+    Tool{"bones.draw", Icon::bones}, Tool{"mirror.toggle", Icon::mirror}};
 constexpr std::array kHandleTools{
     Tool{"handle.turn", Icon::turn},     Tool{"handle.scale", Icon::scale},
     Tool{"handle.pin", Icon::pin},       Tool{"handle.forward", Icon::forward},

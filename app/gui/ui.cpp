@@ -206,7 +206,9 @@ void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   const float scale = p.appearance.look().scale;
   p.state.workspace = workspace_for(p.state.settings, editor);
   p.layout = layout_for(spec.framebuffer, scale, p.panels(editor));
-  if (editor.view().remesh_diff().is_shown() && !has_race) split_canvas(p.layout, scale);
+  if (editor.view().beside() != Beside::nothing && !has_race) split_canvas(p.layout, scale);
+  const bool has_canvas = !editor.document().is_empty() && !has_race && !preview_of(editor);
+  if (p.state.settings.shows_rulers && has_canvas) add_rulers(p.layout, scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(spec.framebuffer.width),
                     static_cast<float>(spec.framebuffer.height)};
@@ -247,8 +249,10 @@ void Ui::draw_panels(Editor& editor) {
     draw_race_panel(editor, context);
   } else {
     if (editor.document().is_empty()) draw_start_screen(editor, p.thumbnails, context);
+    draw_artboard(editor, context);
     draw_canvas_overlay(editor, context);
-    draw_remesh_panes(editor, context);
+    draw_rulers(editor, context);
+    draw_side_panes(editor, context);
     draw_stuck_card(editor, context);
   }
   draw_menu_bar(editor, context);

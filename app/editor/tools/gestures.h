@@ -15,6 +15,10 @@ namespace foldless {
 std::unique_ptr<Tool> make_press_tool(const PointerPressed& event,
                                       const std::optional<HandleHit>& handle, bool is_on_mesh);
 
+/// Puts a handle there, another at its mirror image, and selects the first, between begin_edit()
+/// and commit(). Returns whether the document changed.
+bool place_at(Editor& editor, const MeshHit& hit);
+
 /// What a drag of handles begins with.
 struct HandleDrag {
   Vec2 from = Vec2::Zero();    ///< where the button went down [world]

@@ -18,6 +18,10 @@ class IdleTool final : public Tool {
     if (editor.input().is_lasso_held())
       return make_lasso_tool(event.position, band_mode(event.modifiers));
     if (editor.brush().is_on()) return begin_painting(editor, event);
+    if (editor.bone_tool().is_on()) {
+      editor.bone_tool().click(editor, event.position);
+      return nullptr;
+    }
     const Snapshot* shown = editor.shown().get();
     if (const auto hit = pick_handle(shown, editor.canvas(), event.position)) {
       const bool is_selected = editor.selection().ids().contains(hit->id);
@@ -42,8 +46,12 @@ class IdleTool final : public Tool {
     return nullptr;
   }
 
-  /// Brackets change the size of the brush that is in the hand, not depths.
+  /// Brackets change the size of the brush that is in the hand, not depths; Enter ends bones.
   bool key(Editor& editor, const KeyPressed& event, std::unique_ptr<Tool>&) override {
+    if (event.key == Key::enter && !editor.bone_tool().chain().empty()) {
+      editor.bone_tool().end_chain();
+      return true;
+    }
     const bool grows = event.key == Key::right_bracket;
     if (!editor.brush().is_on() || !(event.modifiers == Modifiers{})) return false;
     if (!grows && event.key != Key::left_bracket) return false;

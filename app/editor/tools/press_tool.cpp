@@ -11,21 +11,6 @@
 namespace foldless {
 namespace {
 
-/// Puts a handle under a pixel, another at its mirror image, and selects the first, between
-/// begin_edit() and commit(). Returns whether the document changed.
-bool place_at(Editor& editor, const MeshHit& hit) {
-  Placed placed = place_handle(editor.document(), hit);
-  if (placed.is_new) {
-    MirrorImage both = with_mirror_image(editor, std::move(placed.document), placed.id);
-    if (both.is_beside_mesh)
-      editor.messages().toast(ToastKind::notice,
-                              "Its mirror image would lie beside the mesh: one handle was placed");
-    editor.draft().apply(std::move(both.document), Change::mesh);
-  }
-  editor.selection().select({placed.id});
-  return placed.is_new;
-}
-
 class PressTool final : public Tool {
  public:
   PressTool(const PointerPressed& event, const std::optional<HandleHit>& handle, bool is_on_mesh)
@@ -126,6 +111,19 @@ class PressTool final : public Tool {
 };
 
 }  // namespace
+
+bool place_at(Editor& editor, const MeshHit& hit) {
+  Placed placed = place_handle(editor.document(), hit);
+  if (placed.is_new) {
+    MirrorImage both = with_mirror_image(editor, std::move(placed.document), placed.id);
+    if (both.is_beside_mesh)
+      editor.messages().toast(ToastKind::notice,
+                              "Its mirror image would lie beside the mesh: one handle was placed");
+    editor.draft().apply(std::move(both.document), Change::mesh);
+  }
+  editor.selection().select({placed.id});
+  return placed.is_new;
+}
 
 std::unique_ptr<Tool> make_press_tool(const PointerPressed& event,
                                       const std::optional<HandleHit>& handle, bool is_on_mesh) {

@@ -209,5 +209,88 @@ TEST_F(EditorBones, AreSavedAndOpenedAgain) {
   EXPECT_NEAR(length(0, 1), 2, 1e-12);
 }
 
+/// A grid of side 8 without handles, the tool in the hand.
+class DrawnBones : public EditorTest {
+ protected:
+  DrawnBones() {
+    open_grid(9);
+    key(Key::n);
+    frame();
+  }
+  /// With a number for every handle in the order of the clicks.
+  void click_on(int vertex) {
+    click(pixel_of_vertex(vertex));
+    frame();
+  }
+  const std::vector<Bones>& bones() const { return editor_->document().rig.bones; }
+  std::size_t handles() const { return editor_->document().handles.size(); }
+  std::size_t steps() const { return editor_->draft().history().steps().size(); }
+};
+
+TEST_F(DrawnBones, EveryClickAddsAJointInOneStep) {
+  const std::size_t before = steps();
+  for (const int vertex : {36, 38, 40}) click_on(vertex);
+  EXPECT_EQ(bones(), std::vector<Bones>({{0, 1, 2}}));
+  EXPECT_EQ(steps(), before + 3);
+  EXPECT_EQ(editor_->selection().ids(), std::set<int>({2}));
+}
+
+TEST_F(DrawnBones, EnterOrEscapeEndsThemAndAnotherChainBegins) {
+  for (const int vertex : {36, 38}) click_on(vertex);
+  key(Key::enter);
+  for (const int vertex : {54, 56}) click_on(vertex);
+  EXPECT_EQ(bones(), std::vector<Bones>({{0, 1}, {2, 3}}));
+  key(Key::escape);
+  EXPECT_TRUE(editor_->bone_tool().is_on());
+  EXPECT_TRUE(editor_->bone_tool().chain().empty());
+  key(Key::escape);
+  EXPECT_FALSE(editor_->bone_tool().is_on());
+  click_on(60);
+  EXPECT_EQ(bones().size(), 2U) << "a handle again";
+}
+
+TEST_F(DrawnBones, AClickOnTheLastJointEndsThem) {
+  for (const int vertex : {36, 38, 38, 54}) click_on(vertex);
+  EXPECT_EQ(bones(), std::vector<Bones>({{0, 1}}));
+  EXPECT_EQ(handles(), 3U);
+}
+
+TEST_F(DrawnBones, GoThroughHandlesThatAreThereAndOnFromTheEndOfOthers) {
+  for (const int vertex : {36, 38}) click_on(vertex);
+  key(Key::enter);
+  click_on(60);
+  key(Key::enter);
+  for (const int vertex : {38, 60}) click_on(vertex);  // the end of the first ones, then a handle
+  EXPECT_EQ(bones(), std::vector<Bones>({{0, 1, 2}}));
+  EXPECT_EQ(handles(), 3U);
+  const std::size_t before = steps();
+  click_on(36);  // its own root
+  EXPECT_EQ(bones(), std::vector<Bones>({{0, 1, 2}}));
+  EXPECT_EQ(steps(), before);
+}
+
+TEST_F(DrawnBones, GoOnFromWhatIsLeftAfterUndo) {
+  for (const int vertex : {36, 38, 40}) click_on(vertex);
+  key(Key::z, kControl);
+  EXPECT_EQ(bones(), std::vector<Bones>({{0, 1}}));
+  EXPECT_EQ(editor_->bone_tool().chain(), (Bones{0, 1}));
+  click_on(60);
+  ASSERT_EQ(bones().size(), 1U);
+  EXPECT_EQ(bones().front().size(), 3U);
+}
+
+TEST_F(DrawnBones, AreOfOneMesh) {
+  click_on(36);
+  open_grid(5);
+  editor_->draft().edit("Place", place_handle(editor_->document(), {.vertex = 12}).document,
+                        Change::mesh);
+  click_on(0);
+  EXPECT_TRUE(bones().empty()) << "none from a handle of the mesh before";
+  click_on(4);
+  EXPECT_EQ(bones(), std::vector<Bones>({{1, 2}}));
+  click({2, 2});
+  EXPECT_EQ(handles(), 3U) << "nothing beside the mesh";
+}
+
 }  // namespace
 }  // namespace foldless::test

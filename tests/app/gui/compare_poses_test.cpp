@@ -11,16 +11,28 @@
 namespace foldless::test {
 namespace {
 
+Image part_of(const Image& whole, const Rectangle& place) {
+  Image part(static_cast<int>(place.width), static_cast<int>(place.height));
+  for (int y = 0; y < part.height; ++y)
+    std::copy_n(whole.at(static_cast<int>(place.x), static_cast<int>(place.y) + y),
+                4 * static_cast<std::size_t>(part.width), part.at(0, y));
+  return part;
+}
+
 class ComparePoses : public testing::Test {
  protected:
   ComparePoses() {
     editor().files().open_shape(grid({.columns = 12, .rows = 4, .width = 6}), "strip");
     headless_.calm_down();
     headless_.click(headless_.window_point(editor().shown()->deformed.col(0)));
+    pull({-60, 40});
+  }
+  /// The other end of the strip.
+  void pull(const Vec2& by) {
     const Vec2 from = headless_.window_point(editor().shown()->deformed.col(64));
     headless_.press(from);
-    headless_.move(from + Vec2(-60, 40));
-    headless_.release(from + Vec2(-60, 40));
+    headless_.move(from + by);
+    headless_.release(from + by);
     headless_.wait_until([this] { return !editor().playback().is_solving(); });
     headless_.calm_down();
   }
@@ -88,6 +100,47 @@ TEST_F(ComparePoses, TheHeatMapShowsAnglesAreasOrTheEnergy) {
     return at_rest.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
   };
   EXPECT_TRUE(std::equal(pixel(a), pixel(a) + 4, pixel(b)));
+}
+
+TEST_F(ComparePoses, SideBySideTheLeftKeepsItsPoseWhileTheRightIsBent) {
+  headless_.key(Key::backslash, kControl);
+  headless_.calm_down();
+  const Rectangle left = headless_.ui().layout().side, right = headless_.ui().layout().canvas;
+  ASSERT_GT(left.width, 100);
+  EXPECT_TRUE(headless_.find_words("Keep this pose as A"));
+  const auto of = [this](const Rectangle& place) { return part_of(headless_.picture(), place); };
+  const Image left_before = of(left), right_before = of(right);
+  pull({10, -50});
+  EXPECT_LT(differing_pixels(left_before, of(left)), 400) << "but for the selected handle";
+  EXPECT_GT(differing_pixels(right_before, of(right)), 3000);
+  headless_.key(Key::escape);
+  headless_.calm_down();
+  EXPECT_EQ(headless_.ui().layout().side.width, 0);
+}
+
+TEST_F(ComparePoses, SideBySideBothAreMovedByEither) {
+  headless_.key(Key::backslash, kControl);
+  headless_.calm_down();
+  const Rectangle left = headless_.ui().layout().side;
+  const Camera before = editor().canvas().camera;
+  const Vec2 from(left.x + left.width / 2, left.y + 80);
+  headless_.press(from);
+  headless_.move(from + Vec2(40, 25));
+  headless_.release(from + Vec2(40, 25));
+  EXPECT_NEAR(editor().canvas().camera.centre.x, before.centre.x - 40 / before.pixels_per_unit,
+              1e-9);
+  EXPECT_EQ(editor().view().side_pane().pane().camera, editor().canvas().camera);
+}
+
+TEST_F(ComparePoses, SideBySideTheHeatMapsHaveOneScale) {
+  editor().view().options().layers.heat = true;
+  headless_.key(Key::backslash, kControl);
+  pull({30, -20});  // less is left of the bend
+  const Image on_common_scale = headless_.canvas_picture();
+  editor().run_command("compare.keep");
+  headless_.calm_down();
+  EXPECT_GT(differing_pixels(on_common_scale, headless_.canvas_picture()), 3000)
+      << "the scale goes no further than this pose";
 }
 
 TEST_F(ComparePoses, MessagesAreKeptAsTextThatIsCopied) {

@@ -45,8 +45,8 @@ class Compare : public testing::Test {
   Editor& editor() { return headless_.editor(); }
   static Vec2 middle(const Rectangle& r) { return {r.x + r.width / 2, r.y + r.height / 2}; }
   Vec2 rest_point(int vertex) {
-    const Rectangle& pane = headless_.ui().layout().rest;
-    return editor().view().remesh_diff().pane().to_pixel(editor().shown()->rest->col(vertex)) +
+    const Rectangle& pane = headless_.ui().layout().side;
+    return editor().view().side_pane().pane().to_pixel(editor().shown()->rest->col(vertex)) +
            Vec2(pane.x, pane.y);
   }
   /// Pixels in a rectangle that are as good as a colour.
@@ -71,12 +71,12 @@ TEST_F(Compare, ShowsFlippedEdgesInBothPanes) {
   ASSERT_FALSE(editor().shown()->flipped_edges->empty());
   headless_.key(Key::d);
   const Layout& layout = headless_.ui().layout();
-  ASSERT_GT(layout.rest.width, 100);
+  ASSERT_GT(layout.side.width, 100);
   const glm::vec4& blue = canvas_colours(Theme::dark).flipped;
-  EXPECT_GT(pixels_of(blue, layout.rest), 15);
+  EXPECT_GT(pixels_of(blue, layout.side), 15);
   EXPECT_GT(pixels_of(blue, layout.canvas), 15);
   headless_.key(Key::d);
-  EXPECT_EQ(layout.rest.width, 0);
+  EXPECT_EQ(layout.side.width, 0);
   EXPECT_EQ(pixels_of(blue, layout.canvas), 0);
 }
 
@@ -101,7 +101,7 @@ TEST_F(Compare, PointingInOnePaneMarksTheSameVertexInTheOther) {
 TEST_F(Compare, DraggingTheRestPaneMovesBothOrOne) {
   headless_.key(Key::d);
   const Camera canvas = editor().canvas().camera;
-  const Vec2 from(headless_.ui().layout().rest.x + 20, headless_.ui().layout().rest.y + 60);
+  const Vec2 from(headless_.ui().layout().side.x + 20, headless_.ui().layout().side.y + 60);
   const auto drag = [&] {
     headless_.press(from);
     headless_.move(from + Vec2(40, 10));
@@ -118,7 +118,7 @@ TEST_F(Compare, DraggingTheRestPaneMovesBothOrOne) {
 }
 
 TEST_F(Compare, HandlesAreDraggedBesideTheRestMesh) {
-  editor().view().toggle_remesh_diff();
+  editor().view().toggle_beside(Beside::rest_mesh);
   headless_.settle();
   const Points before = editor().shown()->deformed;
   const Vec2 from = headless_.window_point(editor().document().handles[1].target);

@@ -90,7 +90,7 @@ class DialogFocus : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  HeadlessEditor headless_{{1000, 800}};
+  HeadlessEditor headless_{{1000, 800}, {}, {.state_folder = folder_.path() / "state"}};
 };
 
 TEST_F(DialogFocus, TabReachesEveryControlOfADocumentsDialogsOnceARound) {
@@ -134,6 +134,59 @@ TEST_F(DialogFocus, TabReachesEveryControlOfTheFileBrowserOnceARound) {
   const auto folders = static_cast<std::size_t>(std::distance(here.begin(), here.end()));
   // Beside these the parent folder, the folders above, and the name of the file.
   expect_round({"New folder…", "Home", "Whole disk", "Save", "Cancel"}, 1 + folders + 1);
+}
+
+TEST_F(DialogFocus, TabReachesEveryControlOfTheQuestionsOfTheFileBrowserOnceARound) {
+  folder_.write("old.json", "old");
+  open_bar();
+  run("file.save_as");
+  headless_.key(Key::a, kControl);
+  headless_.type((folder_ / "old.json").string());
+  headless_.key(Key::enter);
+  {
+    SCOPED_TRACE("replace");
+    expect_round({"Keep it", "Replace (R)"}, 0);
+    headless_.key(Key::escape);
+  }
+  {
+    SCOPED_TRACE("new folder");
+    headless_.click(headless_.find_words("New folder…").value());
+    expect_round({"Make it", "Cancel"}, 1);
+    headless_.key(Key::escape);
+  }
+}
+
+TEST_F(DialogFocus, TabReachesEveryControlOfAboutOnceARound) {
+  search_and_run("about foldless");
+  expect_round({"Close"}, 0);
+}
+
+TEST_F(DialogFocus, TabReachesEveryControlOfTheQuestionBeforeAnothersFileIsReplaced) {
+  open_bar();
+  ASSERT_TRUE(editor().files().save_as(folder_ / "bar.json"));
+  headless_.click(headless_.window_point({0, 0.5}));
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
+  folder_.write("bar.json", "theirs");
+  headless_.key(Key::s, kControl);
+  expect_round({"Save as…", "Overwrite (O)", "Cancel"}, 0);
+}
+
+TEST_F(DialogFocus, TabReachesEveryControlOfTheRecoveryOnceARound) {
+  {
+    Editor lost({.state_folder = folder_.path() / "state"});
+    lost.view().resize(400, 400, 1);
+    lost.files().open_shape(bar(4, 1, 2), "bar");
+    const Vec2 at = lost.canvas().to_pixel(lost.shown()->deformed.col(0));
+    lost.receive(PointerPressed{Button::left, at, {}}, 0);
+    lost.receive(PointerReleased{Button::left, at, {}}, 0);
+    lost.files().rescue();
+  }
+  editor().files().find_lost_work();
+  ASSERT_TRUE(
+      headless_.wait_until([this] { return editor().files().recovery().work() != nullptr; }));
+  expect_round({"Restore", "Discard…", "Later"}, 0);
+  headless_.click(headless_.find_words("Discard…").value());
+  expect_round({"Keep it", "Discard"}, 0);
 }
 
 TEST_F(DialogFocus, TabReachesEveryControlOfAPicturesDialogOnceARound) {

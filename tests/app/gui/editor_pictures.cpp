@@ -117,7 +117,7 @@ void draw_comparisons(const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < 3; ++i) {
     headless.ui().settings().theme = themes[i];
     headless.key(Key::d);
-    const Rectangle& rest = headless.ui().layout().rest;
+    const Rectangle& rest = headless.ui().layout().side;
     headless.move({rest.x + rest.width * 0.7, rest.y + rest.height * 0.5});
     shoot(std::string("diff-") + names[i] + ".png");
     headless.key(Key::d);

@@ -10,6 +10,7 @@
 
 #include "app/editor/edits.h"
 #include "app/gui/samples.h"
+#include "app/gui/zoom_menu.h"
 #include "core/mesh/generate.h"
 #include "tests/app/gui/drawing_defects.h"
 #include "tests/app/gui/headless_editor.h"
@@ -136,7 +137,9 @@ TEST_P(EveryScreen, OfADocument) {
     open_keys();
     run("view.remesh_diff");
     headless_.calm_down();
-    run("view.remesh_diff");
+    run("compare.side_by_side");  // in place of the rest mesh
+    headless_.calm_down();
+    run("compare.side_by_side");
     run("stiffness.paint");
     headless_.calm_down();
     run("stiffness.paint");
@@ -165,7 +168,10 @@ TEST_P(EveryScreen, OfAPicture) {
       [this] { return headless_.editor().files().image_import().is_ready(); }));
   headless_.calm_down();
   headless_.key(Key::enter);
+  headless_.ui().settings().shows_rulers = true;
   headless_.calm_down();
+  headless_.click(headless_.find_words(zoom_words(headless_.editor())).value());
+  headless_.key(Key::escape);
 }
 
 TEST_P(EveryScreen, OfMenus) {

@@ -45,11 +45,26 @@ TEST_P(LayoutFor, SplitsTheCanvasInTwoPanesOfOneSize) {
   const Layout whole = layout_for({1281, 800}, GetParam(), SidePanels::two);
   Layout l = whole;
   split_canvas(l, GetParam());
-  EXPECT_EQ(l.rest.width, l.canvas.width);
-  EXPECT_EQ(l.rest.height, l.canvas.height);
-  EXPECT_EQ(l.rest.x, whole.canvas.x);
+  EXPECT_EQ(l.side.width, l.canvas.width);
+  EXPECT_EQ(l.side.height, l.canvas.height);
+  EXPECT_EQ(l.side.x, whole.canvas.x);
   EXPECT_EQ(l.canvas.x + l.canvas.width, whole.canvas.x + whole.canvas.width);
-  EXPECT_FALSE(overlap(l.rest, l.canvas));
+  EXPECT_FALSE(overlap(l.side, l.canvas));
+}
+
+TEST_P(LayoutFor, RulersTakeAnLFromEachPane) {
+  Layout l = layout_for({1280, 800}, GetParam(), SidePanels::two);
+  split_canvas(l, GetParam());
+  const Layout before = l;
+  add_rulers(l, GetParam());
+  const auto expect_filled = [](const Rectangle& pane, const Rulers& rulers, const Rectangle& was) {
+    EXPECT_GT(area(rulers.left), 0);
+    EXPECT_EQ(area(pane) + area(rulers.top) + area(rulers.left), area(was));
+    EXPECT_FALSE(overlap(pane, rulers.top) || overlap(pane, rulers.left));
+    EXPECT_FALSE(overlap(rulers.top, rulers.left));
+  };
+  expect_filled(l.canvas, l.rulers, before.canvas);
+  expect_filled(l.side, l.side_rulers, before.side);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scales, LayoutFor, testing::Values(0.75F, 1.0F, 1.5F, 2.0F, 3.0F));

@@ -27,6 +27,8 @@ TEST_F(SettingsFile, ComesBackAsItWasWritten) {
   settings.scale = 1.5;
   settings.theme = Theme::contrast;
   settings.shows_panels = false;
+  settings.shows_artboard = false;
+  settings.shows_rulers = true;
   settings.closed_sections = {"History", "Solver"};
   settings.pace = 12.5;
   settings.layers = Layers{.wireframe = false, .heat = true};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -94,41 +95,50 @@ void draw_legend(const Snapshot& shown, const std::optional<MeshPlace>& hovered,
   dim_text(hovered ? words_of(*hovered, shown) : "Point at the mesh", context.look);
 }
 
-/// In the lower left corner of the pane of the rest mesh.
-void draw_tools(Editor& editor, const std::optional<MeshPlace>& hovered,
+/// In the lower left corner of the pane, under what else is said there.
+void draw_tools(Editor& editor, const std::function<void()>& draw_more,
                 const PanelContext& context) {
+  const bool are_poses = editor.view().beside() == Beside::kept_pose;
   const Look& look = context.look;
-  const Rectangle& place = context.layout.rest;
+  const Rectangle& place = context.layout.side;
   ImGui::SetNextWindowPos({place.x + look.px(10), place.y + place.height - look.px(10)},
                           ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowBgAlpha(0.9F);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(6));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette->popup);
-  if (ImGui::Begin("##remesh diff", nullptr,
+  if (ImGui::Begin("##side pane", nullptr,
                    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing)) {
-    draw_legend(*editor.shown(), hovered, context);
-    bool linked = editor.view().remesh_diff().is_linked();
+    draw_more();
+    bool linked = editor.view().side_pane().is_linked();
     if (ImGui::Checkbox("Linked views", &linked)) editor.run_command("view.link_panes");
     tooltip("One magnification for both sides, moved together (Shift+D).", look);
-    if (ImGui::Button("Close")) editor.run_command("view.remesh_diff");
-    tooltip("Back to the deformed mesh alone (D).", look);
+    if (ImGui::Button("Close"))
+      editor.run_command(are_poses ? "compare.side_by_side" : "view.remesh_diff");
+    tooltip(are_poses ? "Back to one pose (Esc)." : "Back to the deformed mesh alone (D).", look);
   }
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
 }
 
-}  // namespace
-
-void draw_remesh_panes(Editor& editor, const PanelContext& context) {
-  if (!editor.view().remesh_diff().is_shown() || !editor.shown()) return;
+/// What both panes have: names and the line between them.
+void draw_frame(const char* left, const char* right, const PanelContext& context) {
   const Layout& layout = context.layout;
-  const PaneInput input = view_pane("##rest pane", layout.rest, editor.view().remesh_diff().pane());
-  if (input.camera) editor.view().set_rest_camera(*input.camera);
+  draw_name(left, layout.side, context.look);
+  draw_name(right, layout.canvas, context.look);
+  const float border = layout.side.x + layout.side.width + context.look.px(1);
+  const float top = layout.menu_bar.y + layout.menu_bar.height;  // rulers are beside it too
+  ImGui::GetBackgroundDrawList()->AddLine({border, top}, {border, layout.timeline.y},
+                                          packed(context.look.palette->border), context.look.px(2));
+}
+
+/// What is pointed at in one is marked in the other.
+void draw_remesh_panes(Editor& editor, const PaneInput& input, const PanelContext& context) {
+  const Layout& layout = context.layout;
   const Snapshot& shown = *editor.shown();
-  const Pane rest{layout.rest, editor.view().remesh_diff().pane(), *shown.rest};
+  const Pane rest{layout.side, editor.view().side_pane().pane(), *shown.rest};
   const Pane deformed{layout.canvas, editor.canvas(), shown.deformed};
   std::optional<MeshPlace> hovered;
   if (input.pointer)
@@ -137,13 +147,32 @@ void draw_remesh_panes(Editor& editor, const PanelContext& context) {
     hovered = place_at(*shown.triangles, deformed.points, deformed.canvas, *context.state.pointer);
   for (const Pane& pane : {rest, deformed})
     if (hovered) draw_highlight(*hovered, pane, context.look);
-  draw_name("Rest mesh", layout.rest, context.look);
-  draw_name("Deformed mesh", layout.canvas, context.look);
-  const float border = layout.canvas.x - context.look.px(1);
-  ImGui::GetBackgroundDrawList()->AddLine({border, layout.canvas.y},
-                                          {border, layout.canvas.y + layout.canvas.height},
-                                          packed(context.look.palette->border), context.look.px(2));
-  draw_tools(editor, hovered, context);
+  draw_frame("Rest mesh", "Deformed mesh", context);
+  draw_tools(
+      editor, [&] { draw_legend(shown, hovered, context); }, context);
+}
+
+void draw_pose_panes(Editor& editor, const PanelContext& context) {
+  draw_frame("A: kept pose", "B: this pose", context);
+  const auto draw_keep = [&editor, &context] {
+    if (ImGui::Button("Keep this pose as A")) editor.run_command("compare.keep");
+    tooltip("What is at the right is then seen at the left too (Shift+\\).", context.look);
+  };
+  draw_tools(editor, draw_keep, context);
+}
+
+}  // namespace
+
+void draw_side_panes(Editor& editor, const PanelContext& context) {
+  const Beside beside = editor.view().beside();
+  if (beside == Beside::nothing || !editor.shown()) return;
+  const Canvas& pane = editor.view().side_pane().pane();
+  const PaneInput input = view_pane("##side view", context.layout.side, pane);
+  if (input.camera) editor.view().set_side_camera(*input.camera);
+  if (beside == Beside::rest_mesh)
+    draw_remesh_panes(editor, input, context);
+  else
+    draw_pose_panes(editor, context);
 }
 
 }  // namespace foldless
