@@ -64,6 +64,10 @@ Settings load_settings(const std::filesystem::path& file) {
   const Reader read{json};
   read.number("scale", settings.scale, kSmallestScale, kLargestScale);
   read.boolean("panels", settings.shows_panels);
+  read.number("left_panel_width", settings.panel_widths.left, kNarrowestPanels.left,
+              kWidestPanels.left);
+  read.number("right_panel_width", settings.panel_widths.right, kNarrowestPanels.right,
+              kWidestPanels.right);
   read.number("autosave_seconds", settings.autosave_seconds, Autosave::kShortestInterval,
               Autosave::kLongestInterval);
   read.number("window_width", settings.window_width, kLeastWindow, kLargestWindow);
@@ -94,6 +98,8 @@ void save_settings(const std::filesystem::path& file, const Settings& settings) 
   nlohmann::json json{{"scale", settings.scale},
                       {"theme", kThemeNames[static_cast<std::size_t>(settings.theme)]},
                       {"panels", settings.shows_panels},
+                      {"left_panel_width", settings.panel_widths.left},
+                      {"right_panel_width", settings.panel_widths.right},
                       {"closed_sections", settings.closed_sections},
                       {"closed_in_animate", settings.closed_in_animate},
                       {"window_width", settings.window_width},

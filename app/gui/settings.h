@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/editor/keymap.h"
+#include "app/gui/layout.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -22,6 +23,7 @@ struct Settings {
   double scale = 1;  ///< on top of the desktop's scale, 0.75 … 3
   Theme theme = Theme::dark;
   bool shows_panels = true;
+  PanelWidths panel_widths;
   /// Absent: never chosen, it goes by what is open.
   std::optional<Workspace> workspace;
   std::set<std::string> closed_sections;  ///< of the lab's panels, by title

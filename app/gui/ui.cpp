@@ -205,7 +205,7 @@ void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   const bool has_race = editor.race().is_open();
   const float scale = p.appearance.look().scale;
   p.state.workspace = workspace_for(p.state.settings, editor);
-  p.layout = layout_for(spec.framebuffer, scale, p.panels(editor));
+  p.layout = layout_for(spec.framebuffer, scale, p.panels(editor), p.state.settings.panel_widths);
   if (editor.view().remesh_diff().is_shown() && !has_race) split_canvas(p.layout, scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(spec.framebuffer.width),
@@ -253,6 +253,7 @@ void Ui::draw_panels(Editor& editor) {
   }
   draw_menu_bar(editor, context);
   draw_tool_strip(editor, context);
+  draw_panel_edges(context);
   draw_side_panels(editor, context);
   draw_timeline_panel(editor, context);
   draw_status_bar(editor, context);
@@ -279,6 +280,7 @@ const Layout& Ui::layout() const { return parts_->layout; }
 CursorShape Ui::cursor() const {
   if (ImGui::GetIO().WantTextInput && ImGui::GetMouseCursor() == ImGuiMouseCursor_TextInput)
     return CursorShape::text;
+  if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) return CursorShape::resize;
   return parts_->canvas_input.cursor();
 }
 
