@@ -11,6 +11,7 @@
 #include "app/editor/edits.h"
 #include "core/energy/densities.h"
 #include "core/method/methods.h"
+#include "core/scene/scene_io.h"
 
 namespace foldless {
 namespace {
@@ -61,7 +62,25 @@ std::string unused_method(const std::vector<std::string>& used) {
   return std::string(methods().front().name);
 }
 
+/// Numbers what is called as an entry before it: "Flips (2)".
+void make_unique(std::vector<RaceEntry>& entries, std::string RaceEntry::*name) {
+  for (auto entry = entries.begin(); entry != entries.end(); ++entry) {
+    const auto is_taken = [&](const std::string& words) {
+      return std::any_of(entries.begin(), entry,
+                         [&](const RaceEntry& other) { return other.*name == words; });
+    };
+    const std::string words = (*entry).*name;
+    for (int number = 2; is_taken((*entry).*name); ++number)
+      (*entry).*name = words + " (" + std::to_string(number) + ')';
+  }
+}
+
 }  // namespace
+
+RaceScene load_race_scene(const std::filesystem::path& file) {
+  const Scene scene = load_scene(file, method_names()).scene;
+  return {file, scene.parameters, scene.energy};
+}
 
 RaceSetup method_race(const Document& document) {
   RaceSetup setup;
@@ -110,6 +129,7 @@ RaceSetup without_lane(RaceSetup setup) {
     setup.energies.pop_back();
   else
     setup.methods.pop_back();
+  setup.scenes.erase(setup.lane_count());
   return setup;
 }
 
@@ -129,6 +149,12 @@ std::vector<RaceEntry> entries_of(const RaceSetup& setup, const Document& docume
     const std::string title = method ? std::string(method->title) : name;
     add(title, variant_of(title)).parameters.method = name;
   }
+  for (const auto& [lane, scene] : setup.scenes) {
+    const std::string name = scene.file.stem().string();
+    entries.at(lane) = {name, name, scene.parameters, scene.energy};
+  }
+  make_unique(entries, &RaceEntry::title);
+  make_unique(entries, &RaceEntry::short_title);
   return entries;
 }
 

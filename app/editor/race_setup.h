@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,13 +15,27 @@ namespace foldless {
 inline constexpr std::size_t kFewestLanes = 2;
 inline constexpr std::size_t kMostLanes = 4;
 
+/// Method, energy and every number of the solver, as a scene file has them.
+struct RaceScene {
+  std::filesystem::path file;
+  Parameters parameters;
+  const Density* energy = nullptr;
+
+  bool operator==(const RaceScene&) const = default;
+};
+
+/// Reads what a lane can take from a scene file. Throws Error as load_scene() does.
+RaceScene load_race_scene(const std::filesystem::path& file);
+
 /// What the lanes of a race differ in, and where they start. Everything else is the document's.
 struct RaceSetup {
   const ParameterRow* varied = nullptr;  ///< null: the method or the energy
   std::vector<std::string> methods;      ///< a lane each, names of methods(), when that is varied
   std::vector<const Density*> energies;  ///< a lane each, when the energy is varied
   std::vector<double> values;            ///< a lane each, when a parameter is varied
-  bool starts_at_rest = true;            ///< false: from the mesh as it is
+  /// Lanes that take everything but mesh and handles from a scene, whatever else is varied.
+  std::map<std::size_t, RaceScene> scenes;
+  bool starts_at_rest = true;  ///< false: from the mesh as it is
 
   bool varies_energy() const { return !energies.empty(); }
   /// Only one of the three has lanes.
@@ -42,8 +58,8 @@ RaceSetup without_lane(RaceSetup setup);
 
 /// One lane as it is run.
 struct RaceEntry {
-  std::string title;
-  std::string short_title;  ///< what tells it from other lanes, for where there is little room
+  std::string title;        ///< no two of a race are alike
+  std::string short_title;  ///< nor these, for where there is little room
   Parameters parameters;
   const Density* energy = nullptr;
 };

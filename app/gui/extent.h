@@ -12,6 +12,6 @@ struct Extent {
 };
 
 /// The pointer's shape.
-enum class CursorShape { arrow, text, hand };
+enum class CursorShape { arrow, text, hand, resize };
 
 }  // namespace foldless

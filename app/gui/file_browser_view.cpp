@@ -86,7 +86,10 @@ void FileBrowser::draw_places(const Look& look) {
   const auto place = [&](const std::string& label, const std::filesystem::path& folder) {
     ImGui::PushID(folder.c_str());
     const bool is_here = folder == listing_.folder;
+    // Without a gap its highlight ends where the list does.
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2{0, ImGui::GetStyle().ItemSpacing.y});
     if (ImGui::Selectable(label.c_str(), is_here)) enter(folder);
+    ImGui::PopStyleVar();
     ImGui::PopID();
     tooltip(folder.string(), look);
   };

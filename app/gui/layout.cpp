@@ -11,8 +11,6 @@ constexpr float kMenuBar = 28;
 constexpr float kStatusBar = 25;
 constexpr float kTimeline = 40;
 constexpr float kStrip = 40;
-constexpr float kLeft = 228;
-constexpr float kRight = 284;
 constexpr float kRuler = 18;
 constexpr float kNarrow = 960;  ///< design pixels under which one panel holds all sections
 
@@ -27,15 +25,23 @@ Rulers cut_off_rulers(Rectangle& pane, float wish) {
 
 }  // namespace
 
-Layout layout_for(Extent framebuffer, float scale, SidePanels panels) {
+Layout layout_for(Extent framebuffer, float scale, SidePanels panels, const PanelWidths& wanted) {
   const auto width = static_cast<float>(framebuffer.width);
   const auto height = static_cast<float>(framebuffer.height);
-  const auto px = [scale](float design) { return std::round(design * scale); };
+  const auto px = [scale](double design) { return std::round(static_cast<float>(design) * scale); };
   Layout layout;
   if (panels == SidePanels::two && width < px(kNarrow)) panels = SidePanels::one;
   const float strip = panels != SidePanels::none ? px(kStrip) : 0;
-  const float left = panels == SidePanels::two ? px(kLeft) : 0;
-  const float right = panels != SidePanels::none ? std::min(px(kRight), std::round(width / 2)) : 0;
+  float left = panels == SidePanels::two ? px(wanted.left) : 0;
+  float right = panels != SidePanels::none ? std::min(px(wanted.right), std::round(width / 2)) : 0;
+  // Where both are wanted wider than there is room, each gives way by its part of the excess.
+  const float room = std::max(0.0F, std::floor(width - strip - width / 3));
+  if (left > 0 && left + right > room) {
+    const float least_left = px(kNarrowestPanels.left), least_right = px(kNarrowestPanels.right);
+    const float part = (left - least_left) / (left - least_left + right - least_right);
+    left = std::floor(least_left + (room - least_left - least_right) * part);
+    right = room - left;
+  }
   const float middle = width - strip - left - right;
   const float bottom = std::max(height - px(kStatusBar), px(kMenuBar));
   const float top = px(kMenuBar);

@@ -39,8 +39,17 @@ struct Layout {
 /// How many side panels there are where there is room; without any the canvas has the whole width.
 enum class SidePanels { none, one, two };
 
-/// For a framebuffer and framebuffer pixels in one design pixel.
-Layout layout_for(Extent framebuffer, float scale, SidePanels panels);
+/// How wide the user wants the side panels. [design pixels]
+struct PanelWidths {
+  double left = 228, right = 284;
+  bool operator==(const PanelWidths&) const = default;
+};
+inline constexpr PanelWidths kNarrowestPanels{200, 260}, kWidestPanels{640, 640};
+
+/// For a framebuffer and framebuffer pixels in one design pixel. Panels get the widths that are
+/// wanted as long as the canvas keeps a third of the window.
+Layout layout_for(Extent framebuffer, float scale, SidePanels panels,
+                  const PanelWidths& wanted = {});
 
 /// Gives the left half of the canvas to the pane beside it.
 void split_canvas(Layout& layout, float scale);

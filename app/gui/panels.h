@@ -22,6 +22,8 @@ void draw_menu_bar(Editor& editor, const PanelContext& context);
 void draw_tool_strip(Editor& editor, const PanelContext& context);
 /// Both side panels with their sections, or the one of a narrow window.
 void draw_side_panels(Editor& editor, const PanelContext& context);
+/// Lets the side panels be made wider by their edges; a double click makes one as it was at first.
+void draw_panel_edges(const PanelContext& context);
 /// Run, pause, step, stop, pace, and the scrubber over the iterations.
 void draw_timeline_panel(Editor& editor, const PanelContext& context);
 /// Hints of what the mouse does now, the status in words, and the proof badge.

@@ -164,7 +164,7 @@ bool draw_head(Editor& editor, std::size_t index, const RaceLayout::Lane& place,
   const RaceLane& lane = *editor.race().lanes()[index];
   bool is_used = false;
   if (begin_part(("##race head " + std::to_string(index)).c_str(), place.head, look)) {
-    draw_lane_choice(editor.race(), index, look);
+    draw_lane_choice(editor, index, context);
     // The choice may have started the race again, with other lanes.
     if (index < editor.race().lanes().size() && editor.race().lanes()[index].get() == &lane) {
       is_used = draw_use_button(lane, look);

@@ -15,7 +15,7 @@ PlotCurve curve_of_lane(const Race& race, std::size_t lane, const Palette& palet
 std::string lane_name(const Race& race, std::size_t lane, float width);
 
 /// The line of a lane and what it runs, to be chosen anew, with room for a button behind it.
-void draw_lane_choice(Race& race, std::size_t lane, const Look& look);
+void draw_lane_choice(Editor& editor, std::size_t lane, const PanelContext& context);
 
 /// Convergence of all lanes over each other, and their table.
 void draw_race_results(Editor& editor, const PanelContext& context, const Rectangle& place);

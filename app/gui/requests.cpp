@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "app/editor/race_setup.h"
 #include "app/editor/race_table.h"
 #include "app/gui/plot_export.h"
 #include "core/data_path.h"
@@ -159,6 +160,23 @@ void export_table(Editor& editor, UiState& state) {
 }
 
 }  // namespace
+
+/// The race may have got other lanes while the user chose.
+void ask_for_lane_scene(std::size_t lane, Editor& editor, UiState& state) {
+  auto request = open_request("A lane as in a scene", {".json"}, editor, state);
+  request.chosen = [lane, &editor, &state](const std::filesystem::path& path) {
+    state.last_folder = path.parent_path();
+    if (!editor.race().is_open() || lane >= editor.race().setup().lane_count()) return;
+    try {
+      RaceSetup setup = editor.race().setup();
+      setup.scenes[lane] = load_race_scene(path);
+      editor.race().set_setup(std::move(setup));
+    } catch (const Error& error) {
+      editor.messages().toast(ToastKind::error, error.what());
+    }
+  };
+  state.browser.ask(std::move(request));
+}
 
 std::filesystem::path starting_folder(const Editor& editor, const UiState& state) {
   if (!state.last_folder.empty()) return state.last_folder;

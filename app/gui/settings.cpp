@@ -66,6 +66,10 @@ Settings load_settings(const std::filesystem::path& file) {
   read.boolean("panels", settings.shows_panels);
   read.boolean("artboard", settings.shows_artboard);
   read.boolean("rulers", settings.shows_rulers);
+  read.number("left_panel_width", settings.panel_widths.left, kNarrowestPanels.left,
+              kWidestPanels.left);
+  read.number("right_panel_width", settings.panel_widths.right, kNarrowestPanels.right,
+              kWidestPanels.right);
   read.number("autosave_seconds", settings.autosave_seconds, Autosave::kShortestInterval,
               Autosave::kLongestInterval);
   read.number("window_width", settings.window_width, kLeastWindow, kLargestWindow);
@@ -96,6 +100,8 @@ std::string settings_text(const Settings& settings) {
                       {"panels", settings.shows_panels},
                       {"artboard", settings.shows_artboard},
                       {"rulers", settings.shows_rulers},
+                      {"left_panel_width", settings.panel_widths.left},
+                      {"right_panel_width", settings.panel_widths.right},
                       {"closed_sections", settings.closed_sections},
                       {"closed_in_animate", settings.closed_in_animate},
                       {"window_width", settings.window_width},

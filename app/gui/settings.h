@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/editor/keymap.h"
+#include "app/gui/layout.h"
 #include "render/view_options.h"
 
 namespace foldless {
@@ -24,6 +25,7 @@ struct Settings {
   bool shows_panels = true;
   bool shows_artboard = true;  ///< the outline of a drawing's canvas
   bool shows_rulers = false;
+  PanelWidths panel_widths;
   /// Absent: never chosen, it goes by what is open.
   std::optional<Workspace> workspace;
   std::set<std::string> closed_sections;  ///< of the lab's panels, by title

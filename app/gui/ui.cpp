@@ -205,7 +205,7 @@ void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   const bool has_race = editor.race().is_open();
   const float scale = p.appearance.look().scale;
   p.state.workspace = workspace_for(p.state.settings, editor);
-  p.layout = layout_for(spec.framebuffer, scale, p.panels(editor));
+  p.layout = layout_for(spec.framebuffer, scale, p.panels(editor), p.state.settings.panel_widths);
   if (editor.view().beside() != Beside::nothing && !has_race) split_canvas(p.layout, scale);
   const bool has_canvas = !editor.document().is_empty() && !has_race && !preview_of(editor);
   if (p.state.settings.shows_rulers && has_canvas) add_rulers(p.layout, scale);
@@ -257,6 +257,7 @@ void Ui::draw_panels(Editor& editor) {
   }
   draw_menu_bar(editor, context);
   draw_tool_strip(editor, context);
+  draw_panel_edges(context);
   draw_side_panels(editor, context);
   draw_timeline_panel(editor, context);
   draw_status_bar(editor, context);
@@ -283,6 +284,7 @@ const Layout& Ui::layout() const { return parts_->layout; }
 CursorShape Ui::cursor() const {
   if (ImGui::GetIO().WantTextInput && ImGui::GetMouseCursor() == ImGuiMouseCursor_TextInput)
     return CursorShape::text;
+  if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) return CursorShape::resize;
   return parts_->canvas_input.cursor();
 }
 

@@ -5,10 +5,17 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "core/energy/densities.h"
+#include "core/files/atomic_file.h"
+#include "core/mesh/generate.h"
+#include "core/scene/scene_io.h"
+#include "tests/support/errors.h"
+#include "tests/support/temporary_folder.h"
 
-namespace foldless {
+namespace foldless::test {
 namespace {
 
 TEST(RaceSetup, VariesAParameterInStepsOfTen) {
@@ -76,5 +83,67 @@ TEST(RaceSetup, ASwitchHasWords) {
   EXPECT_FALSE(entries[1].parameters.condition_test);
 }
 
+bool are_all_different(const std::vector<RaceEntry>& entries) {
+  std::set<std::string> titles, short_titles;
+  for (const RaceEntry& entry : entries) {
+    titles.insert(entry.title);
+    short_titles.insert(entry.short_title);
+  }
+  return titles.size() == entries.size() && short_titles.size() == entries.size();
+}
+
+TEST(RaceSetup, LanesAreNeverCalledAlike) {
+  const Document document = empty_document();
+  RaceSetup setup = method_race(document);
+  for (std::string& method : setup.methods) method = setup.methods.front();
+  EXPECT_TRUE(are_all_different(entries_of(setup, document)));
+  EXPECT_TRUE(entries_of(setup, document)[1].short_title.ends_with(" (2)"));
+  setup = parameter_race(*find_parameter_row("eta"), document);
+  setup.values = {1, 1, 1};
+  setup.scenes[2] = {"folder/1.json", {}, document.energy};
+  EXPECT_TRUE(are_all_different(entries_of(setup, document)));
+}
+
+TEST(RaceSetup, ALaneTakesMethodEnergyAndNumbersFromAScene) {
+  const TemporaryFolder folder;
+  Scene scene;
+  const Shape square = bar(1, 1, 1);
+  scene.triangles = square.triangles;
+  scene.rest = square.rest;
+  scene.energy = &densities()[1];
+  scene.parameters.method = "paper-noflip";
+  scene.parameters.alpha = 3e6;
+  scene.parameters.eta = 0.5;
+  save_scene(scene, folder / "stiff knee.json");
+  const Document document = empty_document();
+  RaceSetup setup = method_race(document);
+  setup.scenes[1] = load_race_scene(folder / "stiff knee.json");
+  const RaceEntry entry = entries_of(setup, document)[1];
+  EXPECT_EQ(entry.title, "stiff knee");
+  EXPECT_EQ(entry.short_title, "stiff knee");
+  EXPECT_EQ(entry.parameters, scene.parameters);
+  EXPECT_EQ(entry.energy, scene.energy);
+  EXPECT_EQ(entries_of(setup, document)[0].parameters, document.parameters);
+}
+
+TEST(RaceSetup, ALaneThatIsLeftOutTakesItsSceneAlong) {
+  const Document document = empty_document();
+  RaceSetup setup = method_race(document);
+  setup.scenes[setup.lane_count() - 1] = {"a.json", {}, document.energy};
+  EXPECT_TRUE(without_lane(setup).scenes.empty());
+  setup.scenes.clear();
+  setup.scenes[0] = {"a.json", {}, document.energy};
+  EXPECT_EQ(without_lane(setup).scenes.size(), 1U);
+}
+
+TEST(RaceSetup, AFileThatIsNoSceneIsToldByItsName) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder / "bad.json", "{\"version\": 1}");
+  for (const char* name : {"bad.json", "none.json"}) {
+    const std::string problem = error_of([&] { load_race_scene(folder / name); });
+    EXPECT_NE(problem.find(name), std::string::npos) << problem;
+  }
+}
+
 }  // namespace
-}  // namespace foldless
+}  // namespace foldless::test

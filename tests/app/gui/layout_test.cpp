@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace foldless {
 namespace {
@@ -35,6 +36,22 @@ TEST_P(LayoutFor, FillsTheWindowWithoutOverlap) {
 TEST_P(LayoutFor, LeavesTheCanvasAtLeastAThirdOfTheWidth) {
   const Layout l = layout_for({1280, 800}, GetParam(), SidePanels::two);
   EXPECT_GE(l.canvas.width, 1280 / 3);
+}
+
+TEST_P(LayoutFor, GivesPanelsTheirWidthsAsLongAsTheCanvasKeepsAThird) {
+  const PanelWidths wide = kWidestPanels;
+  for (const int width : {1000, 1280, 2560, 3840}) {
+    const Layout l = layout_for({width, 800}, GetParam(), SidePanels::two, wide);
+    if (l.left.width > 0) {
+      EXPECT_GE(l.canvas.width, width / 3) << width;
+      EXPECT_GE(l.left.width, std::round(kNarrowestPanels.left * GetParam())) << width;
+    }
+  }
+  const Layout two = layout_for({8000, 800}, GetParam(), SidePanels::two, wide);
+  EXPECT_EQ(two.left.width, std::round(640 * GetParam()));
+  EXPECT_EQ(two.right.width, two.left.width);
+  const Layout one = layout_for({8000, 800}, GetParam(), SidePanels::one, {200, 400});
+  EXPECT_EQ(one.right.width, std::round(400 * GetParam()));
 }
 
 TEST_P(LayoutFor, GivesTheWholeWidthToTheCanvasWithoutPanels) {
