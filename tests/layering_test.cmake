@@ -64,7 +64,7 @@ may_include("core/mesh/.*" "${MESH}|<CGAL/.*>")
 may_include("core/files/.*" "${FILES}|<CGAL/.*>")
 may_include("core/depth/.*" "${MESH}|core/depth/.*")
 may_include("core/rig/.*" "${MESH}|core/rig/.*")
-may_include("core/linear/.*" "${LINEAR}|<(suitesparse/)?cholmod\\.h>")
+may_include("core/linear/.*" "${LINEAR}|<(suitesparse/)?cholmod\\.h>|<(dlfcn|link)\\.h>")
 may_include("core/cone/.*" "${LINEAR}|core/cone/.*")
 may_include("core/energy/.*" "${ENERGY}")
 may_include("core/solve/.*" "${ENERGY}|core/(linear|solve)/.*")
@@ -95,6 +95,8 @@ only_in("app/gui/fallback_fonts\\.cpp" "<fontconfig/" "fontconfig belongs to fal
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
 only_in("core/linear/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
         "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")
+only_in("core/linear/cholesky\\.cpp" "<(dlfcn|link)\\.h>"
+        "the loader belongs to cholesky.cpp, which tells the regions of CHOLMOD from those of others")
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")
 only_in("app/export/vector_[a-z]+\\.(h|cpp)" "<cairo" "cairo belongs to the vector figures")
