@@ -26,16 +26,16 @@ function(foldless_options target)
                            -fno-sanitize=null,alignment,object-size,pointer-overflow)
     target_link_options(${target} PUBLIC -fsanitize=${FOLDLESS_SANITIZE})
   endif()
-  if(FOLDLESS_FUZZ)
-    # What libFuzzer watches.
-    target_compile_options(${target}
-                           PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table,trace-cmp)
-  endif()
 endfunction()
 
 function(foldless_library name)
   add_library(${name} STATIC ${ARGN})
   foldless_options(${name})
+  if(FOLDLESS_FUZZ)
+    # What libFuzzer watches.
+    target_compile_options(${name}
+                           PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table,trace-cmp)
+  endif()
   if(FOLDLESS_SEPARATE_UNITS)
     set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   endif()
