@@ -57,7 +57,7 @@ void choose_energy(Race& race, std::size_t lane) {
 void choose_to_type(Race& race, std::size_t lane) {
   const std::string words = "A value of " + std::string(race.setup().varied->title);
   const bool has_scene = is_from_scene(race.setup(), lane);
-  if (ImGui::Selectable(words.c_str(), !has_scene) && has_scene)
+  if (choice_entry(words.c_str(), !has_scene) && has_scene)
     race.set_setup(without_scene(race.setup(), lane));
 }
 
@@ -70,7 +70,7 @@ void draw_choices(Editor& editor, std::size_t lane, UiState& state) {
   else
     choose_method(race, lane);
   ImGui::Separator();
-  if (ImGui::Selectable("From a scene…", is_from_scene(race.setup(), lane)))
+  if (choice_entry("From a scene…", is_from_scene(race.setup(), lane)))
     ask_for_lane_scene(lane, editor, state);
   ImGui::EndCombo();
 }

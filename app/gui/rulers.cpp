@@ -45,13 +45,18 @@ std::string words_of(double value, double step) {
   return text.data();
 }
 
-/// Along an upright ruler it reads from below.
-void draw_number(const std::string& words, const ImVec2& corner, bool is_upright, ImDrawList& list,
-                 const Look& look) {
+/// A number right of its tick at `along`, where there is room; along an upright ruler it reads from
+/// below.
+void draw_number(const std::string& words, float along, const RulerLine& ruler, const Look& look) {
   ImFont* font = look.fonts.small;
+  const float start = along + look.px(3);
+  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, words.c_str()).x;
+  if (start + width > ruler.length()) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ImVec2 corner = ruler.point(start, ruler.thickness());
   const int first = list.VtxBuffer.Size;
   list.AddText(font, font->FontSize, corner, packed(look.palette->dim), words.c_str());
-  if (!is_upright) return;
+  if (!ruler.is_upright) return;
   for (int i = first; i < list.VtxBuffer.Size; ++i) {
     ImVec2& p = list.VtxBuffer[i].pos;
     p = {corner.x + (p.y - corner.y), corner.y - (p.x - corner.x)};
@@ -75,12 +80,7 @@ void draw_ruler(const RulerLine& ruler, std::optional<float> pointer, const Look
   for (const double value : multiples(step, ruler.at_start, ruler.at_end())) {
     const float at = std::round(ruler.along(value));
     list.AddLine(ruler.point(at, 0), ruler.point(at, ruler.thickness()), dim, look.px(1));
-    const std::string words = words_of(value, step);
-    const ImFont& font = *look.fonts.small;
-    const float width = font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, words.c_str()).x;
-    if (at + look.px(3) + width <= ruler.length())
-      draw_number(words, ruler.point(at + look.px(3), ruler.thickness()), ruler.is_upright, list,
-                  look);
+    draw_number(words_of(value, step), at, ruler, look);
   }
   if (!pointer) return;
   list.AddLine(ruler.point(*pointer, 0), ruler.point(*pointer, ruler.thickness()),
