@@ -50,7 +50,7 @@ function(only_in files token what)
   set(VIOLATIONS "${VIOLATIONS}" PARENT_SCOPE)
 endfunction()
 
-# 1 and 2. What core may see, a layer at a time: mesh <- {files, depth, rig}; linear <- cone;
+# 1 and 2. What core may see, a layer at a time: mesh <- {files, depth, motion, rig}; linear <- cone;
 # {mesh, linear} <- energy <- {solve, remesh <- multires <- construct, scene} <- method <- run.
 set(BASE "${PLAIN}|${CORE}|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
 set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
@@ -63,6 +63,7 @@ set(METHOD "${REMESH}|core/(solve|multires|construct|cone|method)/.*|core/scene/
 may_include("core/mesh/.*" "${MESH}|<CGAL/.*>")
 may_include("core/files/.*" "${FILES}|<CGAL/.*>")
 may_include("core/depth/.*" "${MESH}|core/depth/.*")
+may_include("core/motion/.*" "${MESH}|core/motion/.*|<gmpxx\\.h>")
 may_include("core/rig/.*" "${MESH}|core/rig/.*")
 may_include("core/linear/.*" "${LINEAR}|<(suitesparse/)?cholmod\\.h>|<(dlfcn|link)\\.h>")
 may_include("core/cone/.*" "${LINEAR}|core/cone/.*")
@@ -99,6 +100,7 @@ only_in("core/linear/cholesky\\.cpp" "<(dlfcn|link)\\.h>"
         "the loader belongs to cholesky.cpp, which tells the regions of CHOLMOD from those of others")
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")
+only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")
 only_in("app/export/vector_[a-z]+\\.(h|cpp)" "<cairo" "cairo belongs to the vector figures")
 only_in("app/cli/[a-z_]+\\.cpp" "<CLI/" "CLI11 belongs to the command line")
 set(cli11_files "")
