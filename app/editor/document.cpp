@@ -37,6 +37,11 @@ bool is_equal(const std::shared_ptr<const Stiffness>& a,
   return a == b || (a && b && *a == *b);
 }
 
+bool is_equal(const std::shared_ptr<const Animation>& a,
+              const std::shared_ptr<const Animation>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 bool is_equal(const std::shared_ptr<const MeshParts>& a,
               const std::shared_ptr<const MeshParts>& b) {
   return a == b || (a && b && *a == *b);
@@ -152,7 +157,8 @@ bool is_at_targets(const Document& document) {
 
 bool is_same_content(const Document& a, const Document& b) {
   return is_equal(a.original, b.original) && is_equal(a.pose, b.pose) && a.handles == b.handles &&
-         a.rig == b.rig && is_equal(a.stiffness, b.stiffness) && a.energy == b.energy &&
+         a.rig == b.rig && is_equal(a.animation, b.animation) &&
+         is_equal(a.stiffness, b.stiffness) && a.energy == b.energy &&
          a.parameters == b.parameters && a.texture == b.texture && a.texture_box == b.texture_box &&
          is_equal(a.parts, b.parts);
 }

@@ -34,6 +34,7 @@ struct Document {
   std::vector<Handle> handles;                 ///< in the solver's order; vertices of `pose`
   int next_handle_id = 0;                      ///< ids are never used twice
   Rig rig;                                     ///< of the handles
+  std::shared_ptr<const Animation> animation;  ///< of the handles; null: none
   const Density* energy = nullptr;             ///< a row of densities(), never null
   Parameters parameters;
   std::filesystem::path texture;           ///< absolute path of an image; empty: checkerboard

@@ -35,6 +35,14 @@ int vertex_at_rest(MeshPair& mesh, const Vec2& p, double delta) {
   return insert_vertex(mesh, best, best_coordinates / best_coordinates.sum(), delta);
 }
 
+/// Bones and tracks are those of the handles that are there.
+void drop_what_has_no_handle(Document& document) {
+  document.rig.bones = bones_of(std::move(document.rig.bones), document.handles);
+  if (document.animation)
+    document.animation =
+        std::make_shared<const Animation>(animation_of(*document.animation, document.handles));
+}
+
 }  // namespace
 
 Placed place_handle(const Document& document, const MeshHit& hit) {
@@ -73,7 +81,7 @@ Document with_targets(Document document, const std::vector<Target>& targets) {
 
 Document without_handles(Document document, const std::set<int>& ids) {
   std::erase_if(document.handles, [&](const Handle& h) { return ids.contains(h.id); });
-  document.rig.bones = bones_of(std::move(document.rig.bones), document.handles);
+  drop_what_has_no_handle(document);
   return document;
 }
 
@@ -90,7 +98,7 @@ Document in_rest_pose(const Document& document) {
     if (handle.turn) handle.turn->angle = 0;
     if (!handle_at_vertex(at_rest, handle.vertex)) at_rest.handles.push_back(handle);
   }
-  at_rest.rig.bones = bones_of(std::move(at_rest.rig.bones), at_rest.handles);
+  drop_what_has_no_handle(at_rest);
   at_rest.pose = pose_of(mesh, original);
   return at_rest;
 }

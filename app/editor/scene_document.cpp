@@ -51,6 +51,7 @@ Document document_of(const Scene& scene, const std::filesystem::path& file) {
     if (handle.id < std::numeric_limits<int>::max())
       document.next_handle_id = std::max(document.next_handle_id, handle.id + 1);
   document.rig = scene.rig;
+  document.animation = scene.animation;
   document.energy = scene.energy;
   document.stiffness = scene.stiffness;
   document.parameters = scene.parameters;
@@ -76,6 +77,7 @@ Scene scene_of(const Document& document, const std::filesystem::path& file,
   scene.stiffness = document.stiffness;
   scene.handles = document.handles;
   scene.rig = document.rig;
+  scene.animation = document.animation;
   scene.parameters = document.parameters;
   const Snapshot& pose = *document.pose;
   scene.state = SceneState{*pose.triangles, *pose.rest, pose.deformed};

@@ -14,6 +14,7 @@
 #include "core/mesh/parts.h"
 #include "core/mesh/stiffness.h"
 #include "core/mesh/triangle.h"
+#include "core/motion/animation.h"
 #include "core/rig/rig.h"
 #include "core/scene/parameters.h"
 
@@ -49,6 +50,7 @@ struct Scene {
   std::shared_ptr<const Stiffness> stiffness;  ///< of the rest plane; null: 1 everywhere
   std::vector<Handle> handles;  ///< vertices of the original mesh, or of `state` where there is one
   Rig rig;                      ///< of the handles
+  std::shared_ptr<const Animation> animation;  ///< of the handles; null: none
   Parameters parameters;
   std::optional<SceneState> state;
   /// What the editor keeps beside the state (camera, overlays); opaque to core, kept as it is.

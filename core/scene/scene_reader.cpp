@@ -10,6 +10,7 @@
 #include "core/files/polygon_soup.h"
 #include "core/files/text_lines.h"
 #include "core/files/validate.h"
+#include "core/scene/animation_json.h"
 #include "core/scene/json_value.h"
 #include "core/scene/parameter_keys.h"
 #include "core/scene/parts_json.h"
@@ -67,7 +68,7 @@ class SceneReader {
     const JsonValue root(node, name_);
     read_version(root);
     root.allow_only({"version", "description", "mesh", "texture", "texture_box", "parts", "energy",
-                     "stiffness", "handles", "bones", "mirror", "solver", "state"});
+                     "stiffness", "handles", "bones", "mirror", "animation", "solver", "state"});
     scene_.folder = fs::absolute(file_).parent_path();
     if (const auto text = root.find("description")) scene_.description = text->text();
     if (const auto path = root.find("texture")) scene_.texture_path = path->path();
@@ -86,6 +87,9 @@ class SceneReader {
     if (const auto bones = root.find("bones"))
       scene_.rig.bones = read_bones(*bones, scene_.handles);
     if (const auto mirror = root.find("mirror")) scene_.rig.mirror = read_mirror(*mirror);
+    if (const auto animation = root.find("animation"))
+      scene_.animation =
+          std::make_shared<const Animation>(read_animation(*animation, scene_.handles));
     return {std::move(scene_), std::move(notices_)};
   }
 

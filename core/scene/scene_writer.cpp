@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/files/atomic_file.h"
+#include "core/scene/animation_json.h"
 #include "core/scene/handle_kind.h"
 #include "core/scene/json_node.h"
 #include "core/scene/parameter_keys.h"
@@ -140,6 +141,7 @@ std::string scene_text(const Scene& scene, const fs::path& folder) {
   root.emplace_back("handles", handles_node(scene.handles));
   if (!scene.rig.bones.empty()) root.emplace_back("bones", bones_node(scene.rig.bones));
   if (scene.rig.mirror) root.emplace_back("mirror", mirror_node(*scene.rig.mirror));
+  if (scene.animation) root.emplace_back("animation", animation_node(*scene.animation));
   root.emplace_back("solver", solver_node(scene.parameters));
   if (scene.state || scene.view) root.emplace_back("state", state_node(scene));
   return json_text({std::move(root)});

@@ -71,6 +71,10 @@ TEST_F(AutosaveTest, RecoveryGivesEverythingBack) {
   Document of_layers = editor_->document();
   const auto vertices = static_cast<int>(of_layers.original->rest.cols());
   of_layers.parts = std::make_shared<const MeshParts>(MeshParts{{"Body", 0, vertices, 1.5}});
+  Animation moves;
+  moves.tracks = {{.handle = of_layers.handles.front().id}};
+  moves.tracks[0].position = {{0, {0, 0}, {}}, {12, {1, 1}, {}}};
+  of_layers.animation = std::make_shared<const Animation>(moves);
   editor_->draft().edit("Parts", of_layers, Change::appearance);
   editor_->run_command("bones.make");
   editor_->run_command("mirror.toggle");
@@ -90,6 +94,8 @@ TEST_F(AutosaveTest, RecoveryGivesEverythingBack) {
   EXPECT_TRUE(is_same_content(editor_->document(), lost));
   EXPECT_EQ(editor_->document().rig.bones.size(), 1U);
   EXPECT_TRUE(editor_->document().rig.mirror);
+  ASSERT_NE(editor_->document().animation, nullptr);
+  EXPECT_EQ(*editor_->document().animation, moves);
   EXPECT_EQ(editor_->document().texture, folder_ / "a.png");
   ASSERT_NE(editor_->document().parts, nullptr);
   EXPECT_EQ(*editor_->document().parts, *of_layers.parts);
