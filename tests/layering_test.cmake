@@ -75,7 +75,7 @@ may_include("core/construct/.*" "${MESH}|core/(multires|construct)/.*|<CGAL/.*>"
 may_include("core/scene/.*" "${SCENE}")
 may_include("core/outline/.*" "${MESH}|core/outline/.*|${IMAGE_CODECS}|<CGAL/.*>")
 may_include("core/method/.*" "${METHOD}|core/files/text_lines\\.h")
-may_include("core/run/.*" "${METHOD}|core/run/.*")
+may_include("core/run/.*" "${METHOD}|core/(motion|run)/.*")
 may_include("core/[^/]+" "${BASE}|core/mesh/.*")
 
 # 1. What the renderer and the application may see.

@@ -24,8 +24,8 @@ TEST(SceneMessages, NameUnknownWords) {
   EXPECT_EQ(
       folder.error_with(R"("colour": "red")"),
       "scene.json:2: 'colour' = 'red' is an unknown key; known keys are version, description, "
-      "mesh, texture, texture_box, parts, energy, stiffness, handles, bones, mirror, solver, "
-      "state");
+      "mesh, texture, texture_box, parts, energy, stiffness, handles, bones, mirror, "
+      "animation, solver, state");
   EXPECT_TRUE(folder.error_with(R"("solver": {"detla": 1e-5})")
                   .starts_with("scene.json:2: solver.'detla' = 1e-05 is an unknown key"));
   EXPECT_TRUE(folder.error_with(R"("handles": [{"vertex": 0, "target": [0, 0], "x": 1}])")
