@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/mesh/triangle.h"
+#include "core/motion/motion_proof.h"
+#include "core/snapshot.h"
+
+namespace foldless {
+
+/// A frame of a baked animation.
+struct BakedFrame {
+  double frame = 0;  ///< the moment, in frames from the start
+  Points deformed;   ///< 2 × #V
+};
+
+/// A moment at which a baked animation is not proved: `from` is the index of the frame before it.
+struct BakedFailure {
+  std::size_t from = 0;
+  MotionFailure failure;
+};
+
+/// An animation on one mesh, for programs that move its vertices straight from frame to frame.
+struct BakedAnimation {
+  Triangles triangles;  ///< 3 × #F
+  Points rest;          ///< 2 × #V, locally injective; the vertices of the drawing's mesh first
+  int original_vertices = 0;
+  std::vector<BakedFrame>
+      frames;            ///< ascending; those between whole frames are there for the proof
+  bool loops = false;    ///< the step from the last frame to the first counts too
+  int cycle_frames = 0;  ///< frames of the animation
+  double fps = 24;
+  /// How far a point of the drawing is from where the solver has it at most, over all frames.
+  double deviation = 0;  ///< [length]
+};
+
+/// What a bake is to keep to.
+struct BakeOptions {
+  double tolerance = 0;      ///< of the deviation [length]
+  double vertex_limit = 16;  ///< most vertices, times those of the drawing
+};
+
+/// Solves the moment between two frames, from the mesh of the one before it; null when the token
+/// was set.
+using SolveBetween = std::function<std::shared_ptr<const Snapshot>(double, const Snapshot&)>;
+
+/// The frames of an animation, solved on meshes of their own.
+struct FramesToBake {
+  Triangles original;  ///< the drawing's mesh, 3 × #F
+  std::vector<double> moments;
+  std::vector<std::shared_ptr<const Snapshot>> snapshots;  ///< one a moment
+  bool loops = false;
+  int cycle_frames = 0;
+  double fps = 24;
+};
+
+/// Bakes frames onto one mesh: the drawing's, each of whose vertices is put where the frames' maps
+/// take it. Where a triangle turns over or a point is further from the solver's than the tolerance,
+/// the mesh gets the vertex or the crossing with the frame's edge at which it is furthest: with all
+/// edges of all frames it would be exact, but few are needed. Where the way between two frames is
+/// not proved, the moment in the middle is solved and baked as well, down to 1/16 of a frame.
+/// Returns nothing when the token was set.
+std::optional<BakedAnimation> bake(const FramesToBake& frames, const BakeOptions& options,
+                                   const SolveBetween& solve_between, const std::stop_token& token);
+
+/// Every step of a baked animation that is not proved; of each the first moment.
+std::vector<BakedFailure> failures_of(const BakedAnimation& animation);
+
+}  // namespace foldless

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/motion/bake.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "core/mesh/injective.h"
+#include "core/motion/frame_map.h"
+#include "tests/core/motion/remeshed_frames.h"
+
+namespace foldless {
+namespace {
+
+using test::Fixture;
+using test::PlaneMap;
+
+Vec2 turned(const Vec2& p, double angle) {
+  return Eigen::Rotation2Dd(angle).toRotationMatrix() * p;
+}
+
+/// Bends the plane, the more the later.
+PlaneMap bent(double amount) {
+  return [amount](const Vec2& p) {
+    return Vec2(p.x() + amount * std::sin(2 * p.y()), p.y() + amount * std::sin(2 * p.x()));
+  };
+}
+
+std::shared_ptr<const Snapshot> no_solver(double, const Snapshot&) {
+  ADD_FAILURE() << "nothing between the frames is needed";
+  return nullptr;
+}
+
+FramesToBake frames_of(const Fixture& f, int count, int changes, unsigned seed) {
+  std::mt19937 random(seed);
+  FramesToBake frames;
+  frames.original = f.triangles;
+  frames.cycle_frames = count;
+  for (int i = 0; i < count; ++i) {
+    frames.moments.push_back(i);
+    frames.snapshots.push_back(test::remeshed_frame(f, bent(0.02 * i), random, i * changes));
+  }
+  return frames;
+}
+
+/// The mesh is injective at rest and in every frame, and is where the frames' maps have it.
+void expect_faithful(const BakedAnimation& baked, const FramesToBake& frames, double tolerance) {
+  ASSERT_TRUE(is_injective(baked.triangles, baked.rest));
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const Points original = frames.snapshots[0]->rest->leftCols(baked.original_vertices);
+  EXPECT_EQ(baked.rest.leftCols(baked.original_vertices), original);
+  for (std::size_t i = 0; i < frames.snapshots.size(); ++i) {
+    const Points& deformed = baked.frames[i].deformed;
+    EXPECT_TRUE(is_injective(baked.triangles, deformed)) << i;
+    const FrameMap map(frames.snapshots[i], frames.original);
+    for (const auto& t : baked.triangles.colwise())
+      for (int trial = 0; trial < 3; ++trial) {
+        Eigen::Vector3d weights(unit(random), unit(random), unit(random));
+        weights /= weights.sum();
+        const Vec2 rest = corners_of(baked.rest, t) * weights;
+        const Vec2 here = corners_of(deformed, t) * weights;
+        double nearest = 1e9;  // The original triangle that holds the point.
+        for (int o = 0; o < frames.original.cols(); ++o)
+          if (barycentric(corners_of(original, frames.original.col(o)), rest).minCoeff() > -1e-9)
+            nearest = std::min(nearest, (map.at(rest, o) - here).norm());
+        ASSERT_LE(nearest, tolerance) << "frame " << i;
+      }
+  }
+}
+
+BakedAnimation whole_frames_of(BakedAnimation baked) {
+  std::erase_if(baked.frames,
+                [](const BakedFrame& frame) { return frame.frame != std::floor(frame.frame); });
+  return baked;
+}
+
+TEST(Bake, TheDrawingsOwnTrianglesNeedNoMore) {
+  const Fixture f = test::square_grid(6);
+  const FramesToBake frames = frames_of(f, 4, 0, 1);
+  const auto baked = bake(frames, {1e-9, 16}, no_solver, {});
+  ASSERT_TRUE(baked);
+  EXPECT_EQ(baked->rest.cols(), f.rest.cols());
+  EXPECT_EQ(baked->deviation, 0);
+  EXPECT_TRUE(failures_of(*baked).empty());
+  expect_faithful(*baked, frames, 1e-12);
+}
+
+TEST(Bake, VerticesAreAddedUntilTheToleranceIsKept) {
+  const Fixture f = test::square_grid(7);
+  const FramesToBake frames = frames_of(f, 5, 20, 2);
+  // Frames whose triangulations have nothing in common: what is between them is not the point.
+  const auto first_again = [&](double, const Snapshot&) { return frames.snapshots[0]; };
+  Eigen::Index before = 0;
+  for (const double tolerance : {0.1, 0.01, 0.001}) {
+    const auto baked = bake(frames, {tolerance, 100}, first_again, {});
+    ASSERT_TRUE(baked);
+    EXPECT_LE(baked->deviation, tolerance);
+    EXPECT_GE(baked->rest.cols(), before) << "the finer the more";
+    before = baked->rest.cols();
+    expect_faithful(whole_frames_of(*baked), frames, tolerance);
+  }
+  EXPECT_GT(before, f.rest.cols() + 20);
+}
+
+TEST(Bake, DeviationIsWhatItSays) {
+  const Fixture f = test::square_grid(7);
+  const FramesToBake frames = frames_of(f, 5, 20, 3);
+  const auto coarse = bake(frames, {1, 1}, no_solver, {});
+  ASSERT_TRUE(coarse);
+  EXPECT_GT(coarse->deviation, 0.001);
+  expect_faithful(*coarse, frames, coarse->deviation * 1.0000001);
+}
+
+TEST(Bake, AStepThatIsNotProvedIsHalved) {
+  const Fixture f = test::square_grid(4);
+  const auto at = [&](double moment) {
+    std::mt19937 random(4);
+    return test::remeshed_frame(
+        f, [=](const Vec2& p) { return turned(p, moment * std::numbers::pi); }, random, 0);
+  };
+  FramesToBake frames;
+  frames.original = f.triangles;
+  frames.cycle_frames = 3;
+  for (const double moment : {0.0, 1.0, 1.25}) {
+    frames.moments.push_back(moment);
+    frames.snapshots.push_back(at(moment));
+  }
+  std::vector<double> asked;
+  const auto baked = bake(frames, {1e-9, 16},
+                          [&](double moment, const Snapshot&) {
+                            asked.push_back(moment);
+                            return at(moment);
+                          },
+                          {});
+  ASSERT_TRUE(baked);
+  EXPECT_EQ(asked, std::vector<double>{0.5});
+  ASSERT_EQ(baked->frames.size(), 4U);
+  EXPECT_EQ(baked->frames[1].frame, 0.5);
+  EXPECT_TRUE(failures_of(*baked).empty());
+}
+
+TEST(Bake, AJumpIsHalvedDownToASixteenthAndNamed) {
+  const Fixture f = test::square_grid(4);
+  std::mt19937 random(4);
+  const auto still = test::remeshed_frame(
+      f, [](const Vec2& p) { return p; }, random, 0);
+  const auto half_turn = test::remeshed_frame(
+      f, [](const Vec2& p) { return Vec2(-p); }, random, 0);
+  FramesToBake frames;
+  frames.original = f.triangles;
+  frames.cycle_frames = 2;
+  frames.moments = {0, 1};
+  frames.snapshots = {still, half_turn};
+  frames.loops = true;
+  std::vector<double> asked;
+  const auto baked = bake(frames, {1e-9, 16},
+                          [&](double moment, const Snapshot&) {
+                            asked.push_back(moment);
+                            return moment < 1.6 ? half_turn : still;
+                          },
+                          {});
+  ASSERT_TRUE(baked);
+  const std::vector<BakedFailure> failures = failures_of(*baked);
+  ASSERT_EQ(failures.size(), 2U);
+  EXPECT_EQ(baked->frames[failures[0].from].frame, 0);
+  EXPECT_EQ(baked->frames[failures[0].from + 1].frame, 1.0 / 16);
+  EXPECT_EQ(failures[0].failure.moment, 0.5);
+  EXPECT_EQ(baked->frames[failures[1].from].frame, 1.5625);
+  EXPECT_EQ(baked->frames[failures[1].from + 1].frame, 1.625);
+}
+
+TEST(Bake, EndsWhenItIsStopped) {
+  const Fixture f = test::square_grid(5);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(bake(frames_of(f, 4, 20, 2), {1e-3, 16}, no_solver, stop.get_token()));
+}
+
+}  // namespace
+}  // namespace foldless
