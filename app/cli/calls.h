@@ -48,6 +48,19 @@ struct SolveCall {
   bool quiet = false;                       ///< nothing on stdout
 };
 
+/// `foldless animate SCENE -o OUT`
+struct AnimateCall {
+  std::filesystem::path scene;
+  std::filesystem::path output;             ///< .png, .webp, .foldless, or a folder
+  std::optional<double> fps;                ///< absent: that of the animation
+  std::optional<std::array<int, 2>> range;  ///< first and last frame
+  std::optional<std::array<int, 2>> size;   ///< width and height [pixels]
+  std::optional<Layers> layers;             ///< absent: what a drawing is shown with
+  FigureOptions figure;                     ///< theme and background
+  double tolerance = 0.5;                   ///< of a bake [pixels]
+  bool quiet = false;                       ///< nothing on stdout
+};
+
 /// `foldless render FILE -o OUT`
 struct RenderCall {
   std::string file;               ///< a scene, a mesh, a solved folder, or `rest,deformed`
@@ -72,10 +85,10 @@ struct MeshCall {
   std::optional<double> threshold, margin, simplify, edge_length, min_angle;
 };
 
-/// `foldless check REST DEFORMED [SCENE]`
+/// `foldless check REST DEFORMED [SCENE]`, or `foldless check ANIMATION`
 struct CheckCall {
   std::filesystem::path rest;
-  std::filesystem::path deformed;
+  std::filesystem::path deformed;  ///< empty: `rest` is a baked animation
   std::optional<std::filesystem::path> scene;
 };
 
@@ -104,17 +117,20 @@ struct TextCall {
   std::string text;
 };
 
-using Call = std::variant<EditorCall, ReplayCall, EditorPictureCall, SolveCall, RenderCall,
-                          MeshCall, CheckCall, CompareCall, BenchCall, TextCall>;
+using Call = std::variant<EditorCall, ReplayCall, EditorPictureCall, SolveCall, AnimateCall,
+                          RenderCall, MeshCall, CheckCall, CompareCall, BenchCall, TextCall>;
 
 /// What the arguments ask for. Throws Error on arguments that make no call.
 Call parse_arguments(int argc, const char* const* argv);
 
 /// The calls; they print, return the exit status, and throw Error on bad input.
 int solve(const SolveCall& call);
+int animate(const AnimateCall& call);
 int render(const RenderCall& call);
 int mesh(const MeshCall& call);
 int check(const CheckCall& call);
+/// Of a baked animation.
+int check_animation(const std::filesystem::path& file);
 int compare(const CompareCall& call);
 int bench(const BenchCall& call);
 

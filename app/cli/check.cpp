@@ -154,6 +154,7 @@ void add_handles(const Scene& scene, const MeshFiles& files, Line& line) {
 }  // namespace
 
 int check(const CheckCall& call) {
+  if (call.deformed.empty()) return check_animation(call.rest);
   const MeshFiles files = read_mesh_files(call.rest, call.deformed);
   Line line;
   const bool is_injective = add_injectivity(files, line);

@@ -28,6 +28,7 @@ struct Runner {
     return kExitDone;
   }
   int operator()(const SolveCall& call) const { return solve(call); }
+  int operator()(const AnimateCall& call) const { return animate(call); }
   int operator()(const RenderCall& call) const { return render(call); }
   int operator()(const MeshCall& call) const { return mesh(call); }
   int operator()(const CheckCall& call) const { return check(call); }

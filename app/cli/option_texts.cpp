@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files/text_lines.h"
 #include "core/method/methods.h"
+#include "core/motion/animation.h"
 #include "core/scene/parameter_keys.h"
 
 namespace foldless {
@@ -117,6 +118,17 @@ GroundColour read_colour(const std::string& text) {
   return colour;
 }
 
+std::array<int, 2> read_range(const std::string& text) {
+  const std::size_t dash = text.find('-');
+  const auto first = parse_integer(std::string_view(text).substr(0, dash));
+  const auto last = dash == std::string::npos
+                        ? std::nullopt
+                        : parse_integer(std::string_view(text).substr(dash + 1));
+  if (!first || !last || *first < 0 || *last < *first)
+    throw Error("--range takes FIRST-LAST, such as 0-23, not " + in_quotes(text));
+  return {*first, *last};
+}
+
 }  // namespace
 
 std::string words_of(std::span<const std::string_view> words) {
@@ -179,6 +191,32 @@ EditorPictureCall editor_picture(const Texts& texts, const RenderCall& call) {
   if (!texts.size.empty()) picture.size = read_size(texts.size);
   if (!texts.theme.empty()) picture.theme = read_theme(texts.theme);
   return picture;
+}
+
+void read_animate(const Texts& texts, bool is_transparent, AnimateCall& call) {
+  constexpr std::array<std::string_view, 4> kEndings{"", ".png", ".webp", ".foldless"};
+  if (std::ranges::find(kEndings, call.output.extension().string()) == kEndings.end())
+    throw Error(call.output.string() +
+                ": animate writes .png, .webp, .foldless or a folder of pictures");
+  RenderCall look;
+  look.figure = call.figure;
+  read_render(texts, is_transparent, look);
+  call.figure = look.figure;
+  if (!texts.layers.empty()) call.layers = look.figure.style.layers;
+  if (!texts.size.empty()) call.size = read_size(texts.size);
+  if (!texts.fps.empty()) {
+    call.fps = parse_number(texts.fps);
+    if (!call.fps || !(*call.fps > 0 && *call.fps <= kLargestFps))
+      throw Error("--fps takes a number above 0, at most 1000, not " + in_quotes(texts.fps));
+  }
+  if (!texts.range.empty()) call.range = read_range(texts.range);
+  if (!(call.tolerance > 0)) throw Error("--bake-tolerance takes a number above 0");
+}
+
+void read_check(const CheckCall& call) {
+  if (call.deformed.empty() && call.rest.extension() != ".foldless")
+    throw Error(call.rest.string() +
+                ": check needs the deformed mesh too, or a baked animation (.foldless)");
 }
 
 void read_bench(const Texts& texts, BenchCall& call) {

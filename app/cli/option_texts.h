@@ -41,6 +41,7 @@ std::string words_of(std::span<const std::string_view> words);
 /// The options of one call as text, until they are read.
 struct Texts {
   std::string frames, start, time_limit, size, view, layers, methods, only;
+  std::string fps, range;                             // of animate
   std::string theme, background, camera, line_width;  // of render
   std::array<std::string, kNumberOptions.size()> numbers;
 };
@@ -53,6 +54,9 @@ std::array<int, 2> read_size(const std::string& text);
 void read_render(const Texts& texts, bool is_transparent, RenderCall& call);
 /// Of --ui.
 EditorPictureCall editor_picture(const Texts& texts, const RenderCall& call);
+/// Throws Error, besides, for an output of a kind that is not written.
+void read_animate(const Texts& texts, bool is_transparent, AnimateCall& call);
+void read_check(const CheckCall& call);
 void read_bench(const Texts& texts, BenchCall& call);
 
 }  // namespace foldless

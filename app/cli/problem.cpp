@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/problem.h"
 
+#include <algorithm>
 #include <iostream>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,17 @@ Problem problem_of(const Scene& scene) {
   problem.parameters = scene.parameters;
   problem.original = OriginalMesh{std::make_shared<const Triangles>(scene.triangles),
                                   static_cast<int>(scene.rest.cols())};
+  return problem;
+}
+
+Problem problem_at_rest(const Scene& scene) {
+  Problem problem = problem_of(scene);
+  const auto is_of_split = [&](const Handle& handle) { return handle.vertex >= scene.rest.cols(); };
+  const bool keeps_state = std::ranges::any_of(scene.handles, is_of_split);
+  MeshPair mesh = keeps_state ? MeshPair(scene.state->triangles, scene.state->rest)
+                              : MeshPair(scene.triangles, scene.rest);
+  mesh.set_stiffness(problem.mesh.stiffness());
+  problem.mesh = std::move(mesh);
   return problem;
 }
 

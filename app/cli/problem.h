@@ -19,6 +19,10 @@ LoadedScene load_scene_file(const std::filesystem::path& file);
 /// What a scene starts from: its state where it has one, else its mesh at rest.
 Problem problem_of(const Scene& scene);
 
+/// What frame 0 of the scene's animation starts from: its mesh at rest. Where handles hold vertices
+/// that came from splits it is that of the state.
+Problem problem_at_rest(const Scene& scene);
+
 /// Where the scene's texture lies, for the renderer.
 std::optional<Box> texture_place(const Scene& scene);
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "app/cli/calls.h"
 #include "app/cli/command_line.h"
 #include "app/cli/problem.h"
+#include "app/cli/progress_line.h"
 #include "app/cli/report.h"
 #include "app/cli/results.h"
 #include "core/energy/densities.h"
@@ -49,30 +49,6 @@ std::optional<FigureOptions> figure_of(const SolveCall& call, const Scene& scene
   return figure;
 }
 
-/// One line on stderr that is written over, a few times a second, where a person looks on.
-class SolveProgress {
- public:
-  explicit SolveProgress(bool is_wanted) : is_shown_(is_wanted && isatty(STDERR_FILENO) == 1) {}
-  ~SolveProgress() {
-    if (was_written_) std::cerr << "\r\033[K" << std::flush;
-  }
-  SolveProgress(const SolveProgress&) = delete;
-  SolveProgress& operator=(const SolveProgress&) = delete;
-
-  void show(const Iteration& record) {
-    if (!is_shown_ || seconds_since(last_) < 0.2) return;
-    last_ = Clock::now();
-    was_written_ = true;
-    std::cerr << "\r\033[Kiteration " << record.updates << ", energy " << record.energy
-              << ", handle error " << std::sqrt(record.handle_error_squared) << std::flush;
-  }
-
- private:
-  bool is_shown_;
-  bool was_written_ = false;
-  Clock::time_point last_ = Clock::now();
-};
-
 /// Does the task and adds its processor time to `seconds`.
 template <typename Task>
 auto timed(double& seconds, const Task& task) {
@@ -93,7 +69,7 @@ class Loop {
           timed(solved_.seconds, [&] { return run.step(watch.token()); });
       if (!record) break;
       solved_.iterations.push_back(*record);
-      progress_.show(*record);
+      show(*record);
       take_frame(run.snapshot());
     }
     if (call_.frame_step && last_frame_ != run.snapshot()) results_.add_frame(*run.snapshot());
@@ -118,7 +94,15 @@ class Loop {
   const SolveCall& call_;
   Solved& solved_;
   Results& results_;
-  SolveProgress progress_;
+  void show(const Iteration& record) {
+    if (!progress_.is_due()) return;
+    std::ostringstream text;
+    text << "iteration " << record.updates << ", energy " << record.energy << ", handle error "
+         << std::sqrt(record.handle_error_squared);
+    progress_.show(text.str());
+  }
+
+  ProgressLine progress_;
   int seen_ = 0;
   std::shared_ptr<const Snapshot> last_seen_;
   std::shared_ptr<const Snapshot> last_frame_;

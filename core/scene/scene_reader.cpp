@@ -11,6 +11,7 @@
 #include "core/files/text_lines.h"
 #include "core/files/validate.h"
 #include "core/scene/animation_json.h"
+#include "core/scene/inline_mesh.h"
 #include "core/scene/json_value.h"
 #include "core/scene/parameter_keys.h"
 #include "core/scene/parts_json.h"
@@ -24,28 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kDefaultEnergy = "arap";
-
-std::vector<int> lines_of_items(const JsonValue& array) {
-  std::vector<int> lines;
-  for (const JsonNode& item : *array.node().as<JsonNode::Array>()) lines.push_back(item.line);
-  return lines;
-}
-
-TriangleSoup read_triangles(const JsonValue& vertices, const JsonValue& triangles,
-                            const std::string& file, std::string part) {
-  PolygonSoup soup;
-  const Points points = vertices.points();
-  for (const auto& p : points.colwise()) soup.vertices.push_back({p.x(), p.y(), 0});
-  const Triangles corners = triangles.triangles();
-  soup.corners.assign(corners.data(), corners.data() + corners.size());
-  for (Eigen::Index t = 0; t < corners.cols(); ++t)
-    soup.ends.push_back(static_cast<std::size_t>(3 * (t + 1)));
-  soup.source.name = file;
-  soup.source.part = std::move(part);
-  soup.source.vertex_lines = lines_of_items(vertices);
-  soup.source.face_lines = lines_of_items(triangles);
-  return planar_triangles(std::move(soup));
-}
 
 /// True for pictures and the like: nothing that JSON allows, and no text of any kind, has such
 /// characters.
@@ -191,8 +170,8 @@ class SceneReader {
       mesh.refuse("is " + mesh.shown() +
                   ", but a path or an object of vertices and triangles is needed");
     mesh.allow_only({"vertices", "triangles"});
-    TriangleSoup inline_mesh =
-        validated(read_triangles(mesh.at("vertices"), mesh.at("triangles"), name_, "mesh: "));
+    TriangleSoup inline_mesh = validated(
+        read_inline_triangles(mesh.at("vertices"), mesh.at("triangles"), name_, "mesh: "));
     scene_.triangles = std::move(inline_mesh.triangles);
     scene_.rest = std::move(inline_mesh.points);
     notices_ = std::move(inline_mesh.notices);
@@ -205,9 +184,9 @@ class SceneReader {
     if (!state.find("triangles") && !state.find("rest") && !state.find("deformed")) return;
     const JsonValue triangles = state.at("triangles");
     const JsonValue deformed = state.at("deformed");
-    TriangleSoup rest = read_triangles(state.at("rest"), triangles, name_, "state.rest: ");
+    TriangleSoup rest = read_inline_triangles(state.at("rest"), triangles, name_, "state.rest: ");
     check_vertex_counts(state.at("rest"), rest.points.cols(), deformed);
-    TriangleSoup posed = read_triangles(deformed, triangles, name_, "state.deformed: ");
+    TriangleSoup posed = read_inline_triangles(deformed, triangles, name_, "state.deformed: ");
     const int n = static_cast<int>(rest.points.cols());
     check_connectivity(rest.triangles, n, rest.source);
     check_positions(rest.triangles, rest.points, rest.source);

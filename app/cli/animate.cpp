@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/common.hpp>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "app/bench/stop_watch.h"
+#include "app/cli/calls.h"
+#include "app/cli/command_line.h"
+#include "app/cli/failure_words.h"
+#include "app/cli/film_output.h"
+#include "app/cli/problem.h"
+#include "app/cli/progress_line.h"
+#include "core/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/text_lines.h"
+#include "core/run/interrupt.h"
+#include "core/run/solved_animation.h"
+#include "core/scene/baked_io.h"
+#include "render/figure.h"
+
+namespace foldless {
+namespace {
+
+constexpr double kPixels = 1024;  ///< along the longer side, where no size is given
+
+std::string rounded(double value, double unit) {
+  std::string text;
+  append_number(text, std::round(value / unit) * unit);
+  return text.substr(0, text.find('.') == text.npos ? text.npos : text.find('.') + 4);
+}
+
+/// What all frames need: the box round every shape, with a margin.
+Box box_round(const std::vector<SolvedFrame>& frames) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Box box{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+  for (const SolvedFrame& frame : frames)
+    for (const int v : frame.snapshot->triangles->reshaped()) {
+      const Vec2 p = frame.snapshot->deformed.col(v);
+      box.min = glm::min(box.min, glm::dvec2(p.x(), p.y()));
+      box.max = glm::max(box.max, glm::dvec2(p.x(), p.y()));
+    }
+  const auto margin = 0.03 * std::max(box.max.x - box.min.x, box.max.y - box.min.y);
+  box.min -= margin;
+  box.max += margin;
+  return box;
+}
+
+std::array<int, 2> size_for(const Box& box) {
+  const double width = box.max.x - box.min.x, height = box.max.y - box.min.y;
+  const double scale = kPixels / std::max(width, height);
+  // Even numbers: what codecs of films take.
+  const auto pixels = [&](double length) {
+    return 2 * std::max(1, static_cast<int>(std::lround(0.5 * scale * length)));
+  };
+  return {pixels(width), pixels(height)};
+}
+
+/// The call while it is carried out.
+class Animate {
+ public:
+  Animate(const AnimateCall& call, Scene scene, const std::stop_token& token)
+      : call_(call),
+        scene_(std::move(scene)),
+        frames_(problem_at_rest(scene_), *scene_.animation),
+        token_(token),
+        progress_(!call.quiet) {}
+
+  int run() {
+    const double fps = call_.fps.value_or(scene_.animation->fps);
+    const std::vector<double> moments = moments_to_solve(fps);
+    auto solved = solve_animation(
+        frames_, moments, closing_tolerance(),
+        [&](std::size_t done, std::size_t count) { show("solved", done, count); }, token_);
+    if (!solved) return kExitInterrupted;
+    gap_ = solved->gap;
+    solved_ = std::move(solved->frames);
+    if (call_.range) solved_.erase(solved_.begin(), solved_.begin() + (*call_.range)[0]);
+    return call_.output.extension() == ".foldless" ? write_baked() : write_pictures(fps);
+  }
+
+ private:
+  /// A quarter of a pixel of a picture of the usual size. [length]
+  double closing_tolerance() const {
+    const Points& rest = scene_.rest;
+    const Vec2 sides = rest.rowwise().maxCoeff() - rest.rowwise().minCoeff();
+    return 0.25 / kPixels * sides.maxCoeff();
+  }
+
+  /// Up to the last frame of the range: what is before has to be solved as well.
+  std::vector<double> moments_to_solve(double fps) const {
+    std::vector<double> moments = moments_of(*scene_.animation, fps);
+    if (!call_.range) return moments;
+    const auto [first, last] = *call_.range;
+    if (static_cast<std::size_t>(last) >= moments.size())
+      throw Error("--range ends with frame " + std::to_string(last) + ", but the last is " +
+                  std::to_string(moments.size() - 1));
+    moments.resize(static_cast<std::size_t>(last) + 1);
+    return moments;
+  }
+
+  bool is_whole_loop() const { return scene_.animation->cycle.loops && !call_.range; }
+
+  void show(const char* what, std::size_t done, std::size_t count) {
+    if (!progress_.is_due()) return;
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    std::string text =
+        std::string(what) + " " + std::to_string(done) + " of " + std::to_string(count) + " frames";
+    if (done > 0)
+      text += ", " +
+              rounded(seconds / static_cast<double>(done) * static_cast<double>(count - done), 1) +
+              " s left";
+    progress_.show(text);
+  }
+
+  int write_pictures(double fps) {
+    const Box box = box_round(solved_);
+    FigureOptions figure = figure_of(box);
+    const FilmOptions options{fps,
+                              is_whole_loop(),
+                              solved_.size(),
+                              {{"Software", "Foldless"}, {"Scene", call_.scene.string()}}};
+    FigureRenderer renderer;
+    const auto output = film_output(call_.output, options);
+    start_ = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < solved_.size(); ++i) {
+      if (token_.stop_requested()) return kExitInterrupted;
+      output->add(renderer.render(*solved_[i].snapshot, figure));
+      show("drawn", i + 1, solved_.size());
+    }
+    output->finish();
+    if (!call_.quiet) print_frames(box);
+    return is_reached() ? kExitDone : kExitNotSatisfied;
+  }
+
+  FigureOptions figure_of(const Box& box) const {
+    FigureOptions figure = call_.figure;
+    const auto [width, height] = call_.size.value_or(size_for(box));
+    figure.width = width;
+    figure.height = height;
+    figure.frame = box;
+    figure.parts = scene_.parts;
+    figure.texture_place = texture_place(scene_);
+    Layers plain;
+    plain.wireframe = plain.handles = false;
+    if (!scene_.texture_path.empty()) {
+      figure.texture = read_texture(scene_.folder / scene_.texture_path, scene_.parts);
+      plain.boundary = false;
+    }
+    figure.style.layers = call_.layers.value_or(plain);
+    return figure;
+  }
+
+  int write_baked() {
+    FramesToBake frames{
+        scene_.triangles,     {}, {}, is_whole_loop(), scene_.animation->cycle.frames,
+        scene_.animation->fps};
+    for (const SolvedFrame& frame : solved_) {
+      frames.moments.push_back(frame.frame);
+      frames.snapshots.push_back(frame.snapshot);
+    }
+    const Box box = box_round(solved_);
+    const double unit = length_of_a_pixel(box);
+    const auto baked = bake(
+        frames, {.tolerance = call_.tolerance * unit},
+        [&](double moment, const Snapshot& before) {
+          const auto frame = frames_.solve(moment, &before, token_);
+          return frame ? frame->snapshot : nullptr;
+        },
+        token_);
+    if (!baked) return kExitInterrupted;
+    const std::vector<BakedFailure> failures = failures_of(*baked);
+    write_file_atomically(call_.output, baked_text(*baked, failures));
+    if (!call_.quiet) {
+      print_frames(box);
+      print_bake(*baked, failures, unit);
+    }
+    const bool is_good = failures.empty() && baked->deviation <= call_.tolerance * unit;
+    return is_reached() && is_good ? kExitDone : kExitNotSatisfied;
+  }
+
+  double length_of_a_pixel(const Box& box) const {
+    const auto [width, height] = call_.size.value_or(size_for(box));
+    return std::max((box.max.x - box.min.x) / width, (box.max.y - box.min.y) / height);
+  }
+
+  bool is_reached() const { return std::ranges::all_of(solved_, &SolvedFrame::is_satisfied); }
+
+  void print_frames(const Box& box) const {
+    std::cout << solved_.size() << (solved_.size() == 1 ? " frame: " : " frames: ");
+    const auto first = std::ranges::find(solved_, false, &SolvedFrame::is_satisfied);
+    if (first == solved_.end()) {
+      std::cout << "every handle is at its target";
+    } else {
+      std::cout << std::ranges::count(solved_, false, &SolvedFrame::is_satisfied)
+                << " with handles that are not at their targets, the first at " << first->frame;
+      if (!first->verdict.empty()) std::cout << " (" << first->verdict << ")";
+    }
+    if (is_whole_loop())
+      std::cout << "; the loop comes back to within "
+                << rounded(gap_ / length_of_a_pixel(box), 0.001) << " px";
+    std::cout << "; written to " << call_.output.string() << '\n';
+  }
+
+  void print_bake(const BakedAnimation& baked, const std::vector<BakedFailure>& failures,
+                  double unit) const {
+    std::cout << "baked onto " << baked.rest.cols() << " vertices (" << baked.original_vertices
+              << " of the drawing), " << baked.frames.size() << " frames, at most "
+              << rounded(baked.deviation / unit, 0.001) << " px from the solver's map; ";
+    if (failures.empty())
+      std::cout << "proved to be injective at every moment\n";
+    else
+      std::cout << failures.size() << " steps are not proved: " << words_of(failures.front(), baked)
+                << '\n';
+  }
+
+  const AnimateCall& call_;
+  Scene scene_;
+  Frames frames_;
+  std::stop_token token_;
+  ProgressLine progress_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::vector<SolvedFrame> solved_;
+  double gap_ = 0;
+};
+
+}  // namespace
+
+int animate(const AnimateCall& call) {
+  LoadedScene loaded = load_scene_file(call.scene);
+  if (!loaded.scene.animation)
+    throw Error(call.scene.string() + ": has no animation; give its handles tracks under " +
+                "'animation'");
+  if (!call.quiet) print_notices(loaded.notices);
+  const Interrupt interrupt;
+  const StopWatch watch(
+      {.time_limit = {}, .is_interrupted = [&] { return interrupt.is_requested(); }});
+  return Animate(call, std::move(loaded.scene), watch.token()).run();
+}
+
+}  // namespace foldless

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "app/export/film.h"
+
+namespace foldless {
+
+/// Where the pictures of an animation go: a file or a new folder, whole at the end or not there.
+class FilmOutput {
+ public:
+  FilmOutput() = default;
+  virtual ~FilmOutput() = default;
+  FilmOutput(const FilmOutput&) = delete;
+  FilmOutput& operator=(const FilmOutput&) = delete;
+
+  virtual void add(const Image& image) = 0;
+  /// Puts everything in its place.
+  virtual void finish() = 0;
+};
+
+/// By the ending of a name: .png and .webp are one file, a name without an ending is a folder of
+/// 000000.png and so on. Throws Error, here or later, where it cannot be written, and for a folder
+/// that has something in it.
+std::unique_ptr<FilmOutput> film_output(const std::filesystem::path& path,
+                                        const FilmOptions& options);
+
+}  // namespace foldless

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/run/solved_animation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace foldless {
+namespace {
+
+/// The largest distance between the drawing's vertices in two frames.
+double largest_distance(const Snapshot& a, const Snapshot& b) {
+  const int n = a.original_vertices;
+  if (n == 0) return 0;
+  return (a.deformed.leftCols(n) - b.deformed.leftCols(n)).colwise().norm().maxCoeff();
+}
+
+class Rounds {
+ public:
+  Rounds(const Frames& frames, const std::vector<double>& moments, const FrameProgress& progress)
+      : frames_(frames), moments_(moments), progress_(progress) {}
+
+  /// One round; frame 0 is solved from `start`, or at rest. In a loop the moment after the last is
+  /// solved too, which closes it.
+  std::optional<SolvedAnimation> go(const Snapshot* start, const std::stop_token& token) {
+    SolvedAnimation round;
+    for (const double moment : moments_) {
+      const Snapshot* before = round.frames.empty() ? start : round.frames.back().snapshot.get();
+      auto frame = frames_.solve(moment, before, token);
+      if (!frame) return std::nullopt;
+      round.frames.push_back(std::move(*frame));
+      progress_(round.frames.size(), moments_.size());
+    }
+    const Cycle& cycle = frames_.animation().cycle;
+    if (!cycle.loops) return round;
+    closing_ = frames_.solve(cycle.frames, round.frames.back().snapshot.get(), token);
+    if (!closing_) return std::nullopt;
+    round.gap = largest_distance(*closing_->snapshot, *round.frames.front().snapshot);
+    return round;
+  }
+
+  const Snapshot& closing() const { return *closing_->snapshot; }
+
+ private:
+  const Frames& frames_;
+  const std::vector<double>& moments_;
+  const FrameProgress& progress_;
+  std::optional<SolvedFrame> closing_;
+};
+
+}  // namespace
+
+std::optional<SolvedAnimation> solve_animation(const Frames& frames,
+                                               const std::vector<double>& moments, double tolerance,
+                                               const FrameProgress& progress,
+                                               const std::stop_token& token) {
+  Rounds rounds(frames, moments, progress);
+  auto first = rounds.go(nullptr, token);
+  if (!first || first->gap <= tolerance) return first;
+  const Snapshot start = rounds.closing();
+  auto second = rounds.go(&start, token);
+  if (!second || second->gap < first->gap) return second;
+  return first;
+}
+
+std::vector<double> moments_of(const Animation& animation, double fps) {
+  const Cycle& cycle = animation.cycle;
+  const double step = animation.fps / fps;
+  const double end = cycle.loops ? cycle.frames - 1e-9 * step : cycle.frames - 1 + 1e-9 * step;
+  std::vector<double> moments;
+  for (int i = 0; i * step < end || i == 0; ++i)
+    moments.push_back(std::min<double>(i * step, cycle.frames));
+  return moments;
+}
+
+}  // namespace foldless

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/run/frames.h"
+
+namespace foldless {
+
+/// All frames of an animation, solved one after the other.
+struct SolvedAnimation {
+  std::vector<SolvedFrame> frames;
+  /// Of a loop: how far a vertex of the drawing is from its first place when the loop begins anew,
+  /// at most. [length]
+  double gap = 0;
+};
+
+/// Told how many frames of how many are solved.
+using FrameProgress = std::function<void(std::size_t, std::size_t)>;
+
+/// Solves an animation at ascending moments. A loop that does not come back to its first shape
+/// within `tolerance` [length] is gone through once more from where it came to, and the round that
+/// closes better is kept. Nothing when the token was set.
+std::optional<SolvedAnimation> solve_animation(const Frames& frames,
+                                               const std::vector<double>& moments, double tolerance,
+                                               const FrameProgress& progress,
+                                               const std::stop_token& token);
+
+/// The moments at which an animation is seen with so many frames a second.
+std::vector<double> moments_of(const Animation& animation, double fps);
+
+}  // namespace foldless
