@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <glm/common.hpp>
 #include <iostream>
 #include <limits>
 #include <string>
@@ -41,8 +40,8 @@ Box box_round(const std::vector<SolvedFrame>& frames) {
   for (const SolvedFrame& frame : frames)
     for (const int v : frame.snapshot->triangles->reshaped()) {
       const Vec2 p = frame.snapshot->deformed.col(v);
-      box.min = glm::min(box.min, glm::dvec2(p.x(), p.y()));
-      box.max = glm::max(box.max, glm::dvec2(p.x(), p.y()));
+      box.min = {std::min(box.min.x, p.x()), std::min(box.min.y, p.y())};
+      box.max = {std::max(box.max.x, p.x()), std::max(box.max.y, p.y())};
     }
   const auto margin = 0.03 * std::max(box.max.x - box.min.x, box.max.y - box.min.y);
   box.min -= margin;

@@ -2,6 +2,7 @@
 #include <webp/encode.h>
 #include <webp/mux.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/export/film.h"
@@ -64,13 +65,16 @@ class AnimatedWebp : public Film {
 
  private:
   void begin(const Image& image) {
+    if (std::max(image.width, image.height) > WEBP_MAX_DIMENSION)
+      throw Error("WebP takes pictures of at most " + std::to_string(WEBP_MAX_DIMENSION) +
+                  " pixels a side");
     WebPAnimEncoderOptions options;
     if (WebPAnimEncoderOptionsInit(&options) == 0)
       throw Error("the WebP library is of another version");
     options.anim_params.loop_count = options_.loops ? 0 : 1;
     options.anim_params.bgcolor = 0;
     encoder_.reset(WebPAnimEncoderNew(image.width, image.height, &options));
-    if (!encoder_) throw Error("WebP takes pictures of at most 16383 pixels a side");
+    if (!encoder_) throw Error("not enough memory for an animated WebP");
   }
 
   /// [ms]

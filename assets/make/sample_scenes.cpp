@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "assets/make/place_handles.h"
+#include "assets/make/sample_animations.h"
 #include "core/outline/shapes.h"
 
 namespace foldless::samples {
@@ -246,6 +247,9 @@ std::vector<SampleScene> sample_scenes(const std::vector<SampleMesh>& all) {
       {"figure14_disk_to_cowboy", disk_to_cowboy(meshes, 90)},
       {"figure14_turned_disk_to_cowboy", turned_disk_to_cowboy(meshes)},
       {"swirl_180", swirl(meshes)},
+      {"walk", walk(meshes.at("gingerbread"))},
+      {"snap", snap(meshes.at("alligator"))},
+      {"turn_360", turn_by_360(meshes.at("disk_coarse"))},
   };
 }
 

@@ -28,6 +28,18 @@ double largest_difference(const Points& a, const Points& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
+void expect_same_motion(const Scene& file, const Scene& made) {
+  ASSERT_EQ(file.animation == nullptr, made.animation == nullptr);
+  if (!made.animation) return;
+  ASSERT_EQ(file.animation->cycle, made.animation->cycle);
+  for (int frame = 0; frame <= made.animation->cycle.frames; ++frame) {
+    const auto of_file = handles_at(*file.animation, file.handles, frame);
+    const auto of_made = handles_at(*made.animation, made.handles, frame);
+    for (std::size_t i = 0; i < of_made.size(); ++i)
+      EXPECT_LT((of_file[i].target - of_made[i].target).norm(), 1e-9) << frame;
+  }
+}
+
 TEST(SampleMeshes, FilesAreWhatTheMakerMakes) {
   std::set<std::string> names;
   for (const samples::SampleMesh& mesh : samples::sample_meshes()) {
@@ -70,6 +82,7 @@ TEST(SampleScenes, FilesAreWhatTheMakerMakes) {
     EXPECT_EQ(file.scene.description, scene.description);
     EXPECT_EQ(file.scene.triangles, scene.triangles);
     EXPECT_LT(largest_difference(file.scene.rest, scene.rest), 1e-9);
+    expect_same_motion(file.scene, scene);
     ASSERT_EQ(file.scene.handles.size(), scene.handles.size());
     for (std::size_t i = 0; i < scene.handles.size(); ++i) {
       EXPECT_EQ(file.scene.handles[i].vertex, scene.handles[i].vertex);

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/data_path.h"
+#include "core/files/atomic_file.h"
+#include "core/scene/baked_io.h"
+#include "render/image.h"
+#include "tests/app/cli/command.h"
+
+namespace foldless {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Ended;
+using test::TemporaryFolder;
+
+std::string sample(const std::string& name) {
+  return data_path("assets/scenes/" + name + ".json").string();
+}
+
+/// Files and folders in a folder, hidden ones too.
+std::size_t entries_in(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(AnimateCall, SamplesAreProvedAtEveryMoment) {
+  for (const char* name : {"walk", "snap", "turn_360"}) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "a.foldless";
+    const Ended ended = test::run({"animate", sample(name), "-o", file});
+    EXPECT_EQ(ended.status, 0) << name << ": " << ended.err;
+    EXPECT_NE(ended.out.find("every handle is at its target"), ended.out.npos) << ended.out;
+    EXPECT_NE(ended.out.find("proved to be injective at every moment"), ended.out.npos);
+    const Ended checked = test::run({"check", file});
+    EXPECT_EQ(checked.status, 0) << checked.out;
+    EXPECT_EQ(nlohmann::json::parse(checked.out)["unproved_steps"], 0);
+    const BakedAnimation baked = read_baked(file);
+    EXPECT_LE(baked.rest.cols(), 3 * baked.original_vertices) << name;
+  }
+}
+
+TEST(AnimateCall, CheckNamesTheMomentThatIsNot) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "a.foldless";
+  ASSERT_EQ(test::run({"animate", sample("walk"), "-o", file, "--quiet"}).status, 0);
+  BakedAnimation baked = read_baked(file);
+  baked.frames[5].deformed.col(7) -= Vec2(0, 2);  // From the top of the head down.
+  write_file_atomically(file, baked_text(baked, {}));
+  const Ended checked = test::run({"check", file});
+  ASSERT_EQ(checked.status, 1) << checked.out;
+  const auto line = nlohmann::json::parse(checked.out);
+  EXPECT_EQ(line["ok"], false);
+  ASSERT_EQ(line["unproved_steps"], 2);
+  EXPECT_NE(line["problems"][0].get<std::string>().find(" has no area at frame 4."),
+            std::string::npos)
+      << checked.out;
+}
+
+TEST(AnimateCall, PicturesHaveOneSizeAndTheSameBytesEveryTime) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a", "b"})
+    ASSERT_EQ(test::run({"animate", sample("snap"), "-o", folder / name, "--size", "120x60",
+                         "--range", "4-9"})
+                  .status,
+              0);
+  EXPECT_EQ(entries_in(folder / "a"), 6U);
+  for (const auto& entry : fs::directory_iterator(folder / "a")) {
+    const std::string bytes = read_file(entry.path());
+    EXPECT_EQ(bytes, read_file(fs::path(folder / "b") / entry.path().filename()));
+    const Image image = decode_image(bytes);
+    EXPECT_EQ(image.width, 120);
+    EXPECT_EQ(image.height, 60);
+  }
+  EXPECT_NE(load_image(fs::path(folder / "a") / "000000.png"),
+            load_image(fs::path(folder / "a") / "000005.png"));
+}
+
+TEST(AnimateCall, ARangeIsAPartOfTheWhole) {
+  const TemporaryFolder folder;
+  const auto deformed = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"animate", sample("snap"), "-o", folder / "a.foldless",
+                                       "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(test::run(arguments).status, 0);
+    return read_baked(folder / "a.foldless");
+  };
+  const BakedAnimation part = deformed({"--range", "3-7"});
+  ASSERT_EQ(part.frames.size(), 5U);
+  EXPECT_FALSE(part.loops);
+  EXPECT_EQ(part.frames.front().frame, 3);
+  const BakedAnimation slower = deformed({"--fps", "12"});
+  ASSERT_EQ(slower.frames.size(), 18U);
+  EXPECT_EQ(slower.frames[4].frame, 8);
+}
+
+TEST(AnimateCall, FilmsAreWhole) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.webp"}) {
+    const Ended ended = test::run(
+        {"animate", sample("walk"), "-o", folder / name, "--size", "64x64", "--transparent"});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_TRUE(ended.out.starts_with("24 frames: every handle is at its target; the loop comes"));
+  }
+  EXPECT_EQ(load_image(folder / "a.png").at(0, 0)[3], 0) << "transparent";
+  EXPECT_EQ(entries_in(folder.path()), 2U);
+}
+
+TEST(AnimateCall, SaysWhatIsWrongAndWritesNothing) {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> all{"animate"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Ended ended = test::run(all);
+    EXPECT_EQ(ended.status, 2) << ended.err;
+    return ended.err;
+  };
+  const std::string out = folder / "a.png";
+  EXPECT_NE(error({sample("welcome"), "-o", out}).find("has no animation"), std::string::npos);
+  EXPECT_NE(error({sample("walk"), "-o", folder / "a.gifff"}).find("animate writes .png"),
+            std::string::npos);
+  EXPECT_EQ(error({sample("walk"), "-o", out, "--range", "5-3"}),
+            "foldless: --range takes FIRST-LAST, such as 0-23, not '5-3'\n");
+  EXPECT_EQ(error({sample("walk"), "-o", out, "--range", "5-24"}),
+            "foldless: --range ends with frame 24, but the last is 23\n");
+  EXPECT_EQ(error({sample("walk"), "-o", out, "--fps", "0"}),
+            "foldless: --fps takes a number above 0, at most 1000, not '0'\n");
+  EXPECT_NE(error({sample("walk"), "-o", folder / "none/a.png"}).find("there is no folder"),
+            std::string::npos);
+  EXPECT_EQ(entries_in(folder.path()), 0U);
+  fs::create_directory(folder / "full");
+  write_file_atomically(folder / "full/x", "x");
+  EXPECT_NE(error({sample("walk"), "-o", folder / "full"}).find("is there already"),
+            std::string::npos);
+  EXPECT_EQ(entries_in(folder.path()), 1U);
+}
+
+TEST(AnimateCall, InterruptedLeavesNothing) {
+  for (const char* name : {"a", "a.webp"}) {
+    const TemporaryFolder folder;
+    test::Command command(
+        {"animate", sample("turn_360"), "-o", folder / name, "--size", "2000x2000"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    command.send(SIGINT);
+    EXPECT_EQ(command.wait().status, 130);
+    EXPECT_EQ(entries_in(folder.path()), 0U) << name;
+  }
+}
+
+}  // namespace
+}  // namespace foldless
