@@ -216,7 +216,8 @@ void read_animate(const Texts& texts, bool is_transparent, AnimateCall& call) {
 void read_check(const CheckCall& call) {
   if (call.deformed.empty() && call.rest.extension() != ".foldless")
     throw Error(call.rest.string() +
-                ": check needs the deformed mesh too, or a baked animation (.foldless)");
+                ": check needs DEFORMED too, the same triangles deformed, or a baked animation "
+                "(.foldless)");
 }
 
 void read_bench(const Texts& texts, BenchCall& call) {
