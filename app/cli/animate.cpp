@@ -167,11 +167,7 @@ class Animate {
     const double unit = length_of_a_pixel(box);
     const auto baked = bake(
         frames, {.tolerance = call_.tolerance * unit},
-        [&](double moment, const Snapshot& before) {
-          const auto frame = frames_.solve(moment, &before, token_);
-          return frame ? frame->snapshot : nullptr;
-        },
-        token_);
+        [&](std::size_t frame) { return states_after(frame); }, token_);
     if (!baked) return kExitInterrupted;
     const std::vector<BakedFailure> failures = failures_of(*baked);
     write_file_atomically(call_.output, baked_text(*baked, failures));
@@ -181,6 +177,18 @@ class Animate {
     }
     const bool is_good = failures.empty() && baked->deviation <= call_.tolerance * unit;
     return is_reached() && is_good ? kExitDone : kExitNotSatisfied;
+  }
+
+  /// What leads from a frame to the next, or from the last of a loop to where it begins anew.
+  std::optional<std::vector<std::shared_ptr<const Snapshot>>> states_after(
+      std::size_t frame) const {
+    const bool is_last = frame + 1 == solved_.size();
+    const double next = is_last ? scene_.animation->cycle.frames : solved_[frame + 1].frame;
+    std::vector<std::shared_ptr<const Snapshot>> states;
+    const auto visit = [&](const auto& state) { states.push_back(state); };
+    if (!frames_.solve(next, solved_[frame].snapshot.get(), token_, visit)) return std::nullopt;
+    if (!is_last && !states.empty()) states.pop_back();  // The next frame itself.
+    return states;
   }
 
   double length_of_a_pixel(const Box& box) const {

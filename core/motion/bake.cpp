@@ -2,6 +2,7 @@
 #include "core/motion/bake.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "core/motion/refine_bake.h"
@@ -9,9 +10,7 @@
 namespace foldless {
 namespace {
 
-constexpr double kShortestStep = 1.0 / 16;  ///< of a frame
-
-/// The frames in order while moments are put in between.
+/// The frames in order while states are put in between.
 class Baking {
  public:
   Baking(const FramesToBake& frames, const BakeOptions& options)
@@ -19,17 +18,21 @@ class Baking {
         options_(options),
         refined_(frames.original, frames.snapshots.front()->rest->leftCols(
                                       frames.snapshots.front()->original_vertices)) {
-    for (std::size_t i = 0; i < frames.snapshots.size(); ++i) add(i, frames.moments[i], i);
+    for (std::size_t i = 0; i < frames.snapshots.size(); ++i)
+      order_.push_back({i, 0, refined_.add_frame(frames.snapshots[i])});
   }
 
-  bool run(const SolveBetween& solve_between, const std::stop_token& token) {
+  bool run(const StatesBetween& states_between, const std::stop_token& token) {
     if (!refine(token)) return false;
     while (true) {
-      const std::vector<std::size_t> steps = steps_to_halve();
-      if (steps.empty()) return true;
+      const std::vector<std::size_t> steps = steps_to_part();
+      bool has_parted = false;
       // From the last on, so that the places of the others stay.
-      for (auto step = steps.rbegin(); step != steps.rend(); ++step)
-        if (!halve(*step, solve_between)) return false;
+      for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+        if (!find_between(order_[*step].frame, states_between)) return false;
+        has_parted = part(*step) || has_parted;
+      }
+      if (!has_parted) return true;
       if (!refine(token)) return false;
     }
   }
@@ -40,7 +43,7 @@ class Baking {
     animation.rest = refined_.mesh().rest();
     animation.original_vertices = frames_.snapshots.front()->original_vertices;
     for (const Entry& entry : order_)
-      animation.frames.push_back({entry.moment, refined_.deformed(entry.number)});
+      animation.frames.push_back({moment_of(entry), refined_.deformed(entry.number)});
     animation.loops = frames_.loops;
     animation.cycle_frames = frames_.cycle_frames;
     animation.fps = frames_.fps;
@@ -49,32 +52,33 @@ class Baking {
   }
 
  private:
+  /// A frame, or a state between it and the next.
   struct Entry {
-    double moment;
-    std::size_t number;  ///< of the frame in `refined_`
+    std::size_t frame;
+    std::size_t state;   ///< 0: the frame itself; else one more than its index in `between_`
+    std::size_t number;  ///< in `refined_`
   };
-
-  void add(std::size_t place, double moment, std::size_t snapshot) {
-    const std::size_t number = refined_.add_frame(frames_.snapshots[snapshot]);
-    order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(place), {moment, number});
-  }
 
   bool refine(const std::stop_token& token) {
     const double most = options_.vertex_limit * frames_.snapshots.front()->original_vertices;
     return refined_.refine(options_.tolerance, static_cast<int>(std::min(most, 1e9)), token);
   }
 
-  /// The moment that follows an entry; that of the first comes again at the end of a loop.
-  double moment_after(std::size_t step) const {
-    return step + 1 < order_.size() ? order_[step + 1].moment : frames_.cycle_frames;
+  /// States are evenly spaced between their frames.
+  double moment_of(const Entry& entry) const {
+    const double start = frames_.moments[entry.frame];
+    if (entry.state == 0) return start;
+    const double end = entry.frame + 1 < frames_.moments.size() ? frames_.moments[entry.frame + 1]
+                                                                : frames_.cycle_frames;
+    const auto count = static_cast<double>(between_.at(entry.frame).size() + 1);
+    return start + static_cast<double>(entry.state) / count * (end - start);
   }
 
-  /// The steps, by the entry that they begin with, that are not proved and long enough.
-  std::vector<std::size_t> steps_to_halve() const {
+  /// The steps that are not proved, by the entry that they begin with.
+  std::vector<std::size_t> steps_to_part() const {
     std::vector<std::size_t> steps;
     const MotionProof proof(refined_.mesh().triangles(), refined_.mesh().vertex_count());
     for (std::size_t i = 0; i + (frames_.loops ? 0 : 1) < order_.size(); ++i) {
-      if (moment_after(i) - order_[i].moment < 2 * kShortestStep) continue;
       const Points from = refined_.deformed(order_[i].number);
       const Points to = refined_.deformed(order_[(i + 1) % order_.size()].number);
       const auto failure = proof.first_failure(from, to);
@@ -83,12 +87,24 @@ class Baking {
     return steps;
   }
 
-  bool halve(std::size_t step, const SolveBetween& solve_between) {
-    const double moment = 0.5 * (order_[step].moment + moment_after(step));
-    auto snapshot = solve_between(moment, refined_.map(order_[step].number).snapshot());
-    if (!snapshot) return false;
-    frames_.snapshots.push_back(std::move(snapshot));
-    add(step + 1, moment, frames_.snapshots.size() - 1);
+  bool find_between(std::size_t frame, const StatesBetween& states_between) {
+    if (between_.contains(frame)) return true;
+    auto states = states_between(frame);
+    if (!states) return false;
+    between_[frame] = std::move(*states);
+    return true;
+  }
+
+  /// Puts the state in the middle of a step into it; false where there is none.
+  bool part(std::size_t step) {
+    const auto [frame, first, number] = order_[step];
+    const bool ends_inside = step + 1 < order_.size() && order_[step + 1].frame == frame;
+    const auto& states = between_.at(frame);
+    const std::size_t last = ends_inside ? order_[step + 1].state : states.size() + 1;
+    const std::size_t middle = (first + last) / 2;
+    if (middle == first) return false;
+    const std::size_t added = refined_.add_frame(states[middle - 1]);
+    order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(step) + 1, {frame, middle, added});
     return true;
   }
 
@@ -96,15 +112,16 @@ class Baking {
   BakeOptions options_;
   RefineBake refined_;
   std::vector<Entry> order_;
+  std::map<std::size_t, std::vector<std::shared_ptr<const Snapshot>>> between_;  ///< by frame
 };
 
 }  // namespace
 
 std::optional<BakedAnimation> bake(const FramesToBake& frames, const BakeOptions& options,
-                                   const SolveBetween& solve_between,
+                                   const StatesBetween& states_between,
                                    const std::stop_token& token) {
   Baking baking(frames, options);
-  if (!baking.run(solve_between, token)) return std::nullopt;
+  if (!baking.run(states_between, token)) return std::nullopt;
   return baking.result();
 }
 

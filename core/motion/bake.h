@@ -45,9 +45,11 @@ struct BakeOptions {
   double vertex_limit = 16;  ///< most vertices, times those of the drawing
 };
 
-/// Solves the moment between two frames, from the mesh of the one before it; null when the token
-/// was set.
-using SolveBetween = std::function<std::shared_ptr<const Snapshot>(double, const Snapshot&)>;
+/// The states between the frame of this number and the one after it that lead from one to the
+/// other, as a solver went through them; nothing when the token was set. Those after the last frame
+/// of a loop lead to the first.
+using StatesBetween =
+    std::function<std::optional<std::vector<std::shared_ptr<const Snapshot>>>(std::size_t)>;
 
 /// The frames of an animation, solved on meshes of their own.
 struct FramesToBake {
@@ -63,10 +65,11 @@ struct FramesToBake {
 /// take it. Where a triangle turns over or a point is further from the solver's than the tolerance,
 /// the mesh gets the vertex or the crossing with the frame's edge at which it is furthest: with all
 /// edges of all frames it would be exact, but few are needed. Where the way between two frames is
-/// not proved, the moment in the middle is solved and baked as well, down to 1/16 of a frame.
+/// not proved, the state in the middle of those between them is baked as well, and so on.
 /// Returns nothing when the token was set.
 std::optional<BakedAnimation> bake(const FramesToBake& frames, const BakeOptions& options,
-                                   const SolveBetween& solve_between, const std::stop_token& token);
+                                   const StatesBetween& states_between,
+                                   const std::stop_token& token);
 
 /// Every step of a baked animation that is not proved; of each the first moment.
 std::vector<BakedFailure> failures_of(const BakedAnimation& animation);

@@ -24,10 +24,15 @@ Problem Frames::problem_at(double frame, const Snapshot* before) const {
 }
 
 std::optional<SolvedFrame> Frames::solve(double frame, const Snapshot* before,
-                                         const std::stop_token& token) const {
+                                         const std::stop_token& token, const Visit& visit) const {
   Run run(problem_at(frame, before));
-  while (!run.outcome())
+  std::shared_ptr<const Snapshot> last = run.snapshot();
+  while (!run.outcome()) {
     if (!run.step(token) && !run.outcome()) return std::nullopt;
+    if (run.snapshot() == last) continue;
+    last = run.snapshot();
+    visit(last);
+  }
   return SolvedFrame{frame, run.snapshot(), run.is_satisfied(), *run.outcome(), run.verdict()};
 }
 

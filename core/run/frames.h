@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -34,7 +35,13 @@ class Frames {
   /// The moment `frame` from `before`; from the mesh at rest when that is null. Nothing when the
   /// token was set before it was done. Throws Error as Run.
   std::optional<SolvedFrame> solve(double frame, const Snapshot* before,
-                                   const std::stop_token& token) const;
+                                   const std::stop_token& token) const {
+    return solve(frame, before, token, [](const auto&) {});
+  }
+  /// The same; `visit` sees every state on the way, the last included.
+  using Visit = std::function<void(const std::shared_ptr<const Snapshot>&)>;
+  std::optional<SolvedFrame> solve(double frame, const Snapshot* before,
+                                   const std::stop_token& token, const Visit& visit) const;
 
  private:
   Problem problem_at(double frame, const Snapshot* before) const;

@@ -28,9 +28,11 @@ PlaneMap bent(double amount) {
   };
 }
 
-std::shared_ptr<const Snapshot> no_solver(double, const Snapshot&) {
+using States = std::vector<std::shared_ptr<const Snapshot>>;
+
+std::optional<States> no_states(std::size_t) {
   ADD_FAILURE() << "nothing between the frames is needed";
-  return nullptr;
+  return std::nullopt;
 }
 
 FramesToBake frames_of(const Fixture& f, int count, int changes, unsigned seed) {
@@ -80,7 +82,7 @@ BakedAnimation whole_frames_of(BakedAnimation baked) {
 TEST(Bake, TheDrawingsOwnTrianglesNeedNoMore) {
   const Fixture f = test::square_grid(6);
   const FramesToBake frames = frames_of(f, 4, 0, 1);
-  const auto baked = bake(frames, {1e-9, 16}, no_solver, {});
+  const auto baked = bake(frames, {1e-9, 16}, no_states, {});
   ASSERT_TRUE(baked);
   EXPECT_EQ(baked->rest.cols(), f.rest.cols());
   EXPECT_EQ(baked->deviation, 0);
@@ -92,10 +94,10 @@ TEST(Bake, VerticesAreAddedUntilTheToleranceIsKept) {
   const Fixture f = test::square_grid(7);
   const FramesToBake frames = frames_of(f, 5, 20, 2);
   // Frames whose triangulations have nothing in common: what is between them is not the point.
-  const auto first_again = [&](double, const Snapshot&) { return frames.snapshots[0]; };
+  const auto nothing_between = [](std::size_t) { return std::optional<States>(States()); };
   Eigen::Index before = 0;
   for (const double tolerance : {0.1, 0.01, 0.001}) {
-    const auto baked = bake(frames, {tolerance, 100}, first_again, {});
+    const auto baked = bake(frames, {tolerance, 100}, nothing_between, {});
     ASSERT_TRUE(baked);
     EXPECT_LE(baked->deviation, tolerance);
     EXPECT_GE(baked->rest.cols(), before) << "the finer the more";
@@ -108,75 +110,75 @@ TEST(Bake, VerticesAreAddedUntilTheToleranceIsKept) {
 TEST(Bake, DeviationIsWhatItSays) {
   const Fixture f = test::square_grid(7);
   const FramesToBake frames = frames_of(f, 5, 20, 3);
-  const auto coarse = bake(frames, {1, 1}, no_solver, {});
+  const auto coarse = bake(frames, {1, 1}, no_states, {});
   ASSERT_TRUE(coarse);
   EXPECT_GT(coarse->deviation, 0.001);
   expect_faithful(*coarse, frames, coarse->deviation * 1.0000001);
 }
 
-TEST(Bake, AStepThatIsNotProvedIsHalved) {
-  const Fixture f = test::square_grid(4);
-  const auto at = [&](double moment) {
+/// A grid that is turned by half a turn a frame.
+class BakedTurn : public testing::Test {
+ protected:
+  std::shared_ptr<const Snapshot> at(double moment) const {
     std::mt19937 random(4);
-    return test::remeshed_frame(
-        f, [=](const Vec2& p) { return turned(p, moment * std::numbers::pi); }, random, 0);
-  };
-  FramesToBake frames;
-  frames.original = f.triangles;
-  frames.cycle_frames = 3;
-  for (const double moment : {0.0, 1.0, 1.25}) {
-    frames.moments.push_back(moment);
-    frames.snapshots.push_back(at(moment));
+    const auto map = [=](const Vec2& p) { return turned(p, moment * std::numbers::pi); };
+    return test::remeshed_frame(grid_, map, random, 0);
   }
-  std::vector<double> asked;
-  const auto baked = bake(frames, {1e-9, 16},
-                          [&](double moment, const Snapshot&) {
-                            asked.push_back(moment);
-                            return at(moment);
+  FramesToBake frames(const std::vector<double>& moments) const {
+    FramesToBake frames;
+    frames.original = grid_.triangles;
+    frames.cycle_frames = 3;
+    for (const double moment : moments) {
+      frames.moments.push_back(moment);
+      frames.snapshots.push_back(at(moment));
+    }
+    return frames;
+  }
+
+  Fixture grid_ = test::square_grid(4);
+};
+
+TEST_F(BakedTurn, StatesBetweenAreAddedWhereAStepIsNotProved) {
+  std::vector<std::size_t> asked;
+  const auto baked = bake(frames({0, 1, 1.25}), {1e-9, 16},
+                          [&](std::size_t frame) {
+                            asked.push_back(frame);
+                            States states;
+                            for (int i = 1; i < 10; ++i) states.push_back(at(0.1 * i));
+                            return std::optional(states);
                           },
                           {});
   ASSERT_TRUE(baked);
-  EXPECT_EQ(asked, std::vector<double>{0.5});
-  ASSERT_EQ(baked->frames.size(), 4U);
-  EXPECT_EQ(baked->frames[1].frame, 0.5);
+  EXPECT_EQ(asked, std::vector<std::size_t>{0});
+  ASSERT_EQ(baked->frames.size(), 4U) << "one is enough";
+  EXPECT_NEAR(baked->frames[1].frame, 0.5, 1e-12);
+  EXPECT_EQ(baked->frames[1].deformed, at(0.5)->deformed);
   EXPECT_TRUE(failures_of(*baked).empty());
 }
 
-TEST(Bake, AJumpIsHalvedDownToASixteenthAndNamed) {
-  const Fixture f = test::square_grid(4);
-  std::mt19937 random(4);
-  const auto still = test::remeshed_frame(
-      f, [](const Vec2& p) { return p; }, random, 0);
-  const auto half_turn = test::remeshed_frame(
-      f, [](const Vec2& p) { return Vec2(-p); }, random, 0);
-  FramesToBake frames;
-  frames.original = f.triangles;
-  frames.cycle_frames = 2;
-  frames.moments = {0, 1};
-  frames.snapshots = {still, half_turn};
-  frames.loops = true;
-  std::vector<double> asked;
-  const auto baked = bake(frames, {1e-9, 16},
-                          [&](double moment, const Snapshot&) {
-                            asked.push_back(moment);
-                            return moment < 1.6 ? half_turn : still;
-                          },
-                          {});
+TEST_F(BakedTurn, AJumpThatNoStatesBridgeIsNamed) {
+  FramesToBake loop = frames({0, 1});
+  loop.loops = true;
+  const auto baked = bake(
+      loop, {1e-9, 16},
+      [&](std::size_t frame) {
+        return std::optional(frame == 0 ? States{at(0), at(1)} : States{at(1), at(0.5), at(0)});
+      },
+      {});
   ASSERT_TRUE(baked);
+  EXPECT_EQ(baked->frames.size(), 5U) << "both states of the first step, one of the second";
   const std::vector<BakedFailure> failures = failures_of(*baked);
-  ASSERT_EQ(failures.size(), 2U);
-  EXPECT_EQ(baked->frames[failures[0].from].frame, 0);
-  EXPECT_EQ(baked->frames[failures[0].from + 1].frame, 1.0 / 16);
-  EXPECT_EQ(failures[0].failure.moment, 0.5);
-  EXPECT_EQ(baked->frames[failures[1].from].frame, 1.5625);
-  EXPECT_EQ(baked->frames[failures[1].from + 1].frame, 1.625);
+  ASSERT_EQ(failures.size(), 1U);
+  EXPECT_NEAR(baked->frames[failures[0].from].frame, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(baked->frames[failures[0].from + 1].frame, 2.0 / 3, 1e-12);
+  EXPECT_NEAR(failures[0].failure.moment, 0.5, 1e-12);
 }
 
 TEST(Bake, EndsWhenItIsStopped) {
   const Fixture f = test::square_grid(5);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_FALSE(bake(frames_of(f, 4, 20, 2), {1e-3, 16}, no_solver, stop.get_token()));
+  EXPECT_FALSE(bake(frames_of(f, 4, 20, 2), {1e-3, 16}, no_states, stop.get_token()));
 }
 
 }  // namespace

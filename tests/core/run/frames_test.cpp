@@ -111,15 +111,59 @@ TEST_F(FramesOfABar, AreBakedAndProvedAtEveryMoment) {
     to_bake.moments.push_back(frame.frame);
     to_bake.snapshots.push_back(frame.snapshot);
   }
-  const auto baked = bake(to_bake, {0.002, 16},
-                          [&](double moment, const Snapshot& before) {
-                            return frames.solve(moment, &before, {})->snapshot;
-                          },
-                          {});
+  const auto baked = bake(to_bake, {0.002, 16}, [](std::size_t) { return std::nullopt; }, {});
   ASSERT_TRUE(baked);
   EXPECT_TRUE(failures_of(*baked).empty());
   EXPECT_LE(baked->deviation, 0.002);
   EXPECT_LE(baked->rest.cols(), 3 * problem_.mesh.vertex_count());
+}
+
+TEST_F(FramesOfABar, StatesOnTheWayEndWithTheFrame) {
+  const Frames frames(problem_, animation_);
+  std::vector<std::shared_ptr<const Snapshot>> states;
+  const auto frame =
+      frames.solve(5, nullptr, {}, [&](const auto& state) { states.push_back(state); });
+  ASSERT_TRUE(frame);
+  ASSERT_FALSE(states.empty());
+  EXPECT_EQ(states.back(), frame->snapshot);
+  for (const auto& state : states)
+    EXPECT_TRUE(is_injective(*state->triangles, *state->rest, state->deformed));
+}
+
+TEST(FramesOfADisk, GoOnFromTheFrameBeforeThem) {
+  // A ring is turned by 270° in nine frames: from rest it would be turned back by 90°.
+  const DiskOptions options{.rings = 6, .boundary_vertices = 24, .vertices = 103};
+  const Shape shape = disk(options);
+  Problem problem;
+  problem.mesh = MeshPair(shape.triangles, shape.rest);
+  problem.energy = find_density("arap");
+  Animation animation;
+  animation.cycle = {10, false};
+  animation.groups.emplace_back();
+  for (const int ring : {3, 6})
+    for (const int v : disk_ring(options, ring)) {
+      Handle handle;
+      handle.id = handle.vertex = v;
+      handle.target = shape.rest.col(v);
+      problem.handles.push_back(handle);
+      if (ring == 6) continue;
+      HandleTracks& tracks = animation.tracks.emplace_back();
+      tracks.handle = v;
+      animation.groups[0].handles.push_back(v);
+      const Vec2 p = handle.target;
+      tracks.position = {
+          {0, p, {}}, {3, {-p.y(), p.x()}, {}}, {6, -p, {}}, {9, {p.y(), -p.x()}, {}}};
+    }
+  const Frames frames(problem, animation);
+  std::shared_ptr<const Snapshot> before;
+  for (int i = 0; i < 10; ++i) {
+    const auto frame = frames.solve(i, before.get(), {});
+    ASSERT_TRUE(frame && frame->is_satisfied) << i;
+    before = frame->snapshot;
+  }
+  const auto alone = frames.solve(9, nullptr, {});
+  EXPECT_GT(before->iteration->distortion_energy,
+            2 * alone->snapshot->iteration->distortion_energy);
 }
 
 TEST_F(FramesOfABar, EndWhenTheyAreStopped) {
