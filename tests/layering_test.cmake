@@ -6,7 +6,7 @@
 # root; the others are listed with their angle bracket.
 set(STD "<[a-z_]+>")
 set(POSIX "<(fcntl|unistd|poll|pthread|spawn|signal|sys/[a-z]+)\\.h>")
-set(IMAGE_CODECS "<(png|turbojpeg|webp/[a-z_]+|zip|zlib|liblzf/lzf)\\.h>|<pugixml\\.hpp>")
+set(IMAGE_CODECS "<(png|gif_lib|turbojpeg|webp/[a-z_]+|zip|zlib|liblzf/lzf)\\.h>|<pugixml\\.hpp>")
 set(CORE "core/(error|handle|iteration|snapshot|stage_times|data_path)\\.h")
 set(PLAIN "${STD}|${POSIX}")
 

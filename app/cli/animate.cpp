@@ -27,6 +27,9 @@ namespace {
 
 constexpr double kPixels = 1024;  ///< along the longer side, where no size is given
 
+/// At most so many pictures are sampled for a palette.
+constexpr std::size_t kSamples = 12;
+
 std::string rounded(double value, double unit) {
   std::string text;
   append_number(text, std::round(value / unit) * unit);
@@ -126,6 +129,9 @@ class Animate {
                               {{"Software", "Foldless"}, {"Scene", call_.scene.string()}}};
     FigureRenderer renderer;
     const auto output = film_output(call_.output, options);
+    if (output->wants_samples())
+      for (std::size_t i = 0; i < solved_.size(); i += solved_.size() / kSamples + 1)
+        output->sample(renderer.render(*solved_[i].snapshot, figure));
     start_ = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < solved_.size(); ++i) {
       if (token_.stop_requested()) return kExitInterrupted;

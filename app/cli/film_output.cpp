@@ -27,6 +27,8 @@ class FilmFile : public FilmOutput {
       throw Error(path_.string() + ": there is no folder " + parent.string());
   }
 
+  bool wants_samples() const override { return film_->wants_samples(); }
+  void sample(const Image& image) override { film_->sample(image); }
   void add(const Image& image) override { film_->add(image); }
   void finish() override { write_file_atomically(path_, film_->finish()); }
 
@@ -85,6 +87,7 @@ class PictureFolder : public FilmOutput {
 std::unique_ptr<FilmOutput> film_output(const fs::path& path, const FilmOptions& options) {
   const std::string ending = path.extension();
   if (ending == ".png") return std::make_unique<FilmFile>(path, make_apng(options));
+  if (ending == ".gif") return std::make_unique<FilmFile>(path, make_gif(options));
   if (ending == ".webp") return std::make_unique<FilmFile>(path, make_animated_webp(options));
   return std::make_unique<PictureFolder>(path, options.texts);
 }

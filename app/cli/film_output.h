@@ -16,14 +16,17 @@ class FilmOutput {
   FilmOutput(const FilmOutput&) = delete;
   FilmOutput& operator=(const FilmOutput&) = delete;
 
+  /// See Film.
+  virtual bool wants_samples() const { return false; }
+  virtual void sample(const Image&) {}
   virtual void add(const Image& image) = 0;
   /// Puts everything in its place.
   virtual void finish() = 0;
 };
 
-/// By the ending of a name: .png and .webp are one file, a name without an ending is a folder of
-/// 000000.png and so on. Throws Error, here or later, where it cannot be written, and for a folder
-/// that has something in it.
+/// By the ending of a name: .png, .gif and .webp are one file, a name without an ending is a folder
+/// of 000000.png and so on. Throws Error, here or later, where it cannot be written, and for a
+/// folder that has something in it.
 std::unique_ptr<FilmOutput> film_output(const std::filesystem::path& path,
                                         const FilmOptions& options);
 

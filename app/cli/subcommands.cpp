@@ -63,7 +63,7 @@ CLI::App* add_animate(CLI::App& app, AnimateCall& call, Texts& texts, RenderFlag
   animate->add_option("SCENE", call.scene, "scene file with an animation")->required();
   animate
       ->add_option("-o,--output", call.output,
-                   ".png (animated), .webp, .foldless (baked), or a new folder for pictures")
+                   ".png (animated), .gif, .webp, .foldless (baked), or a new folder for pictures")
       ->required()
       ->type_name("OUT");
   animate->add_option("--fps", texts.fps, "frames a second, those of the scene when absent")

@@ -26,6 +26,9 @@ class Film {
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;
 
+  /// Whether some of the pictures are to be shown to sample() before the first is added.
+  virtual bool wants_samples() const { return false; }
+  virtual void sample(const Image&) {}
   /// The next picture; all have one size. Throws Error.
   virtual void add(const Image& image) = 0;
   /// The file. Precondition: as many pictures were added as were promised. Throws Error.
@@ -35,6 +38,8 @@ class Film {
 /// An animated PNG [APNG]: exact colours and alpha. Programs that do not know it show the first
 /// picture.
 std::unique_ptr<Film> make_apng(const FilmOptions& options);
+/// An animated GIF of 255 colours, made of the samples, and transparency.
+std::unique_ptr<Film> make_gif(const FilmOptions& options);
 /// An animated WebP, lossless.
 std::unique_ptr<Film> make_animated_webp(const FilmOptions& options);
 

@@ -101,14 +101,14 @@ TEST(AnimateCall, ARangeIsAPartOfTheWhole) {
 
 TEST(AnimateCall, FilmsAreWhole) {
   const TemporaryFolder folder;
-  for (const char* name : {"a.png", "a.webp"}) {
+  for (const char* name : {"a.png", "a.gif", "a.webp"}) {
     const Ended ended = test::run(
         {"animate", sample("walk"), "-o", folder / name, "--size", "64x64", "--transparent"});
     EXPECT_EQ(ended.status, 0) << ended.err;
     EXPECT_TRUE(ended.out.starts_with("24 frames: every handle is at its target; the loop comes"));
   }
   EXPECT_EQ(load_image(folder / "a.png").at(0, 0)[3], 0) << "transparent";
-  EXPECT_EQ(entries_in(folder.path()), 2U);
+  EXPECT_EQ(entries_in(folder.path()), 3U);
 }
 
 TEST(AnimateCall, SaysWhatIsWrongAndWritesNothing) {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export/film.h"
 
+#include <gif_lib.h>
 #include <gtest/gtest.h>
 #include <webp/demux.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include "render/png_chunks.h"
 
@@ -126,6 +130,134 @@ TEST(Apng, KeepsOnlyWhatDiffers) {
   };
   EXPECT_LT(size_of(1), encode_png(picture(0)).size() + 20 * 160);
   EXPECT_GT(size_of(8), size_of(1));
+}
+
+/// A GIF as it is played, opaque or with nothing where alpha is 0.
+struct PlayedGif {
+  std::vector<Image> pictures;
+  std::vector<int> delays;  ///< hundredths of a second
+  bool loops = false;
+};
+
+PlayedGif played_gif(const std::string& file) {
+  struct Source {
+    const std::string& bytes;
+    std::size_t at = 0;
+  } source{file};
+  const auto read = [](GifFileType* gif, GifByteType* bytes, int count) {
+    Source& from = *static_cast<Source*>(gif->UserData);
+    const std::size_t n = std::min(static_cast<std::size_t>(count), from.bytes.size() - from.at);
+    std::memcpy(bytes, from.bytes.data() + from.at, n);
+    from.at += n;
+    return static_cast<int>(n);
+  };
+  PlayedGif result;
+  GifFileType* gif = DGifOpen(&source, read, nullptr);
+  if (!gif || DGifSlurp(gif) == GIF_ERROR) return result;
+  for (int k = 0; k < gif->SavedImages[0].ExtensionBlockCount; ++k)
+    result.loops = result.loops ||
+                   gif->SavedImages[0].ExtensionBlocks[k].Function == APPLICATION_EXT_FUNC_CODE;
+  Image canvas(gif->SWidth, gif->SHeight);
+  for (int i = 0; i < gif->ImageCount; ++i) {
+    const SavedImage& saved = gif->SavedImages[i];
+    GraphicsControlBlock control{};
+    DGifSavedExtensionToGCB(gif, i, &control);
+    const GifImageDesc& part = saved.ImageDesc;
+    for (int y = 0; y < part.Height; ++y)
+      for (int x = 0; x < part.Width; ++x) {
+        const int index = saved.RasterBits[y * part.Width + x];
+        if (index == control.TransparentColor) continue;
+        const GifColorType& colour = gif->SColorMap->Colors[index];
+        std::uint8_t* p = canvas.at(part.Left + x, part.Top + y);
+        p[0] = colour.Red, p[1] = colour.Green, p[2] = colour.Blue, p[3] = 255;
+      }
+    result.pictures.push_back(canvas);
+    result.delays.push_back(control.DelayTime);
+    if (control.DisposalMode == DISPOSE_BACKGROUND) canvas = Image(gif->SWidth, gif->SHeight);
+  }
+  DGifCloseFile(gif, nullptr);
+  return result;
+}
+
+std::string gif_of(const std::vector<Image>& pictures, const FilmOptions& film_options) {
+  const auto film = make_gif(film_options);
+  EXPECT_TRUE(film->wants_samples());
+  for (const Image& image : pictures) film->sample(image);
+  for (const Image& image : pictures) film->add(image);
+  return film->finish();
+}
+
+/// On white, so that it is opaque; with few colours or many.
+Image opaque_picture(int i, bool has_many_colours) {
+  Image image = picture(i);
+  for (std::size_t p = 0; p < image.pixels.size(); p += 4) {
+    const std::size_t pixel = p / 4;
+    if (has_many_colours) {
+      image.pixels[p] = static_cast<std::uint8_t>(4 * (pixel % 60));
+      image.pixels[p + 1] = static_cast<std::uint8_t>(6 * (pixel / 60));
+      image.pixels[p + 2] = 60;
+    } else if (image.pixels[p + 3] < 255) {
+      image.pixels[p] = image.pixels[p + 1] = image.pixels[p + 2] = 250;
+    } else {
+      image.pixels[p] = image.pixels[p + 1] = 30;
+      image.pixels[p + 2] = static_cast<std::uint8_t>(100 + i);
+    }
+    image.pixels[p + 3] = 255;
+  }
+  return image;
+}
+
+std::vector<Image> opaque_pictures(bool has_many_colours) {
+  std::vector<Image> pictures;
+  for (int i = 0; i < kCount; ++i) pictures.push_back(opaque_picture(i, has_many_colours));
+  return pictures;
+}
+
+TEST(Gif, FewColoursAreExact) {
+  const std::vector<Image> pictures = opaque_pictures(false);
+  const PlayedGif film = played_gif(gif_of(pictures, options(25, true)));
+  EXPECT_EQ(film.pictures, pictures);
+  EXPECT_TRUE(film.loops);
+  EXPECT_EQ(film.delays, std::vector<int>(kCount, 4));
+  EXPECT_FALSE(played_gif(gif_of(pictures, options(25, false))).loops);
+}
+
+TEST(Gif, ARateThatHundredthsDoNotDivideIsKeptInTheMean) {
+  const PlayedGif film = played_gif(gif_of(opaque_pictures(false), options(24, true)));
+  EXPECT_EQ(std::accumulate(film.delays.begin(), film.delays.end(), 0), 38) << "9 / 24 s";
+  for (const int delay : film.delays) EXPECT_TRUE(delay == 4 || delay == 5);
+}
+
+TEST(Gif, ManyColoursAreNearAndRightInTheMean) {
+  const std::vector<Image> pictures = opaque_pictures(true);
+  const PlayedGif film = played_gif(gif_of(pictures, options(25, true)));
+  ASSERT_EQ(film.pictures.size(), pictures.size());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    double sum = 0, absolute = 0;
+    for (std::size_t p = 0; p < pictures[i].pixels.size(); ++p) {
+      const int d = film.pictures[i].pixels[p] - pictures[i].pixels[p];
+      sum += d;
+      absolute += std::abs(d);
+    }
+    const auto count = static_cast<double>(pictures[i].pixels.size());
+    EXPECT_LT(absolute / count, 8) << i;
+    EXPECT_LT(std::abs(sum / count), 1) << i;
+  }
+}
+
+TEST(Gif, WhatIsTransparentIsClearedAway) {
+  std::vector<Image> pictures;
+  for (int i = 0; i < kCount; ++i) pictures.push_back(picture(i));
+  const PlayedGif film = played_gif(gif_of(pictures, options(25, true)));
+  ASSERT_EQ(film.pictures.size(), pictures.size());
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    for (std::size_t p = 3; p < pictures[i].pixels.size(); p += 4)
+      ASSERT_EQ(film.pictures[i].pixels[p] == 255, pictures[i].pixels[p] >= 128) << i;
+}
+
+TEST(Gif, TheSamePicturesGiveTheSameBytes) {
+  const std::vector<Image> pictures = opaque_pictures(true);
+  EXPECT_EQ(gif_of(pictures, options(25, true)), gif_of(pictures, options(25, true)));
 }
 
 TEST(AnimatedWebp, IsPlayedAsItWasMade) {
