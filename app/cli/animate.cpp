@@ -12,6 +12,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/failure_words.h"
 #include "app/cli/film_output.h"
+#include "app/cli/gltf_pieces.h"
 #include "app/cli/problem.h"
 #include "app/cli/progress_line.h"
 #include "core/error.h"
@@ -82,7 +83,7 @@ class Animate {
     gap_ = solved->gap;
     solved_ = std::move(solved->frames);
     if (call_.range) solved_.erase(solved_.begin(), solved_.begin() + (*call_.range)[0]);
-    return call_.output.extension() == ".foldless" ? write_baked() : write_pictures(fps);
+    return is_baked() ? write_baked() : write_pictures(fps);
   }
 
  private:
@@ -105,6 +106,8 @@ class Animate {
     return moments;
   }
 
+  bool is_baked() const { return call_.output.extension() == ".foldless" || is_gltf(); }
+  bool is_gltf() const { return call_.output.extension() == ".glb"; }
   bool is_whole_loop() const { return scene_.animation->cycle.loops && !call_.range; }
 
   void show(const char* what, std::size_t done, std::size_t count) {
@@ -154,7 +157,7 @@ class Animate {
     Layers plain;
     plain.wireframe = plain.handles = false;
     if (!scene_.texture_path.empty()) {
-      figure.texture = read_texture(scene_.folder / scene_.texture_path, scene_.parts);
+      figure.texture = texture();
       plain.boundary = false;
     }
     figure.style.layers = call_.layers.value_or(plain);
@@ -175,14 +178,25 @@ class Animate {
         frames, {.tolerance = call_.tolerance * unit},
         [&](std::size_t frame) { return states_after(frame); }, token_);
     if (!baked) return kExitInterrupted;
-    const std::vector<BakedFailure> failures = failures_of(*baked);
-    write_file_atomically(call_.output, baked_text(*baked, failures));
+    const std::vector<BakedFailure> failures =
+        failures_of(is_gltf() ? in_single_precision(*baked) : *baked);
+    write_file_atomically(call_.output, is_gltf() ? gltf_binary(*baked, pieces_of(*baked))
+                                                  : baked_text(*baked, failures));
     if (!call_.quiet) {
       print_frames(box);
       print_bake(*baked, failures, unit);
     }
     const bool is_good = failures.empty() && baked->deviation <= call_.tolerance * unit;
     return is_reached() && is_good ? kExitDone : kExitNotSatisfied;
+  }
+
+  std::vector<GltfPiece> pieces_of(const BakedAnimation& baked) const {
+    const bool has_texture = !scene_.texture_path.empty();
+    return gltf_pieces(scene_, baked, has_texture ? texture() : nullptr);
+  }
+
+  std::shared_ptr<const TexturePieces> texture() const {
+    return read_texture(scene_.folder / scene_.texture_path, scene_.parts);
   }
 
   /// What leads from a frame to the next, or from the last of a loop to where it begins anew.

@@ -51,7 +51,7 @@ struct SolveCall {
 /// `foldless animate SCENE -o OUT`
 struct AnimateCall {
   std::filesystem::path scene;
-  std::filesystem::path output;             ///< .png, .gif, .webp, .foldless, or a folder
+  std::filesystem::path output;             ///< .png, .gif, .webp, .glb, .foldless, or a folder
   std::optional<double> fps;                ///< absent: that of the animation
   std::optional<std::array<int, 2>> range;  ///< first and last frame
   std::optional<std::array<int, 2>> size;   ///< width and height [pixels]

@@ -194,10 +194,11 @@ EditorPictureCall editor_picture(const Texts& texts, const RenderCall& call) {
 }
 
 void read_animate(const Texts& texts, bool is_transparent, AnimateCall& call) {
-  constexpr std::array<std::string_view, 5> kEndings{"", ".png", ".gif", ".webp", ".foldless"};
+  constexpr std::array<std::string_view, 6> kEndings{"",      ".png", ".gif",
+                                                     ".webp", ".glb", ".foldless"};
   if (std::ranges::find(kEndings, call.output.extension().string()) == kEndings.end())
     throw Error(call.output.string() +
-                ": animate writes .png, .gif, .webp, .foldless or a folder of pictures");
+                ": animate writes .png, .gif, .webp, .glb, .foldless or a folder of pictures");
   RenderCall look;
   look.figure = call.figure;
   read_render(texts, is_transparent, look);

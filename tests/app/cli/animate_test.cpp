@@ -99,6 +99,20 @@ TEST(AnimateCall, ARangeIsAPartOfTheWhole) {
   EXPECT_EQ(slower.frames[4].frame, 8);
 }
 
+TEST(AnimateCall, GltfIsProvedInSinglePrecision) {
+  const TemporaryFolder folder;
+  for (const char* name : {"walk", "turn_360"}) {
+    const Ended ended = test::run({"animate", sample(name), "-o", folder / "a.glb"});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_NE(ended.out.find("proved to be injective at every moment"), ended.out.npos)
+        << ended.out;
+    const std::string bytes = read_file(folder / "a.glb");
+    EXPECT_TRUE(bytes.starts_with("glTF"));
+    const auto document = nlohmann::json::parse(bytes.substr(20, bytes.find("BIN") - 24));
+    EXPECT_GE(document["meshes"][0]["primitives"][0]["targets"].size(), 23U);
+  }
+}
+
 TEST(AnimateCall, FilmsAreWhole) {
   const TemporaryFolder folder;
   for (const char* name : {"a.png", "a.gif", "a.webp"}) {
