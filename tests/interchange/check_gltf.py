@@ -1,0 +1,108 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""check_gltf.py FOLDLESS SCENE...: whether three.js shows a baked animation as Foldless draws it.
+
+Each scene is baked twice, as glTF and as .foldless. At a key, between two keys and at the last key a
+headless Chromium draws the glTF, and Foldless draws the mesh that the .foldless file has there. The
+pictures may differ by 2 grey levels in the mean.
+"""
+import base64
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy
+from PIL import Image
+
+SIZE = 512
+SCALE = 4  # samples a pixel in each direction
+MOST = 2.0  # grey levels in the mean
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def read_baked(path):
+    with open(path) as file:
+        return json.loads(file.readline()), [json.loads(line) for line in file]
+
+
+def moments(header, frames):
+    """Of each: its time, the frames around it, and the share of the way between them."""
+    middle = len(frames) // 2
+    for first, second, share in ((0, 1, 0.0), (middle, middle + 1, 0.5),
+                                 (len(frames) - 2, len(frames) - 1, 1.0)):
+        a, b = frames[first]["frame"], frames[second]["frame"]
+        yield (a + share * (b - a) - frames[0]["frame"]) / header["fps"], first, second, share
+
+
+def write_obj(path, points, triangles):
+    with open(path, "w") as file:
+        for x, y in points:
+            file.write(f"v {x!r} {y!r} 0\n")
+        for corners in triangles:
+            file.write("f " + " ".join(str(c + 1) for c in corners) + "\n")
+
+
+def square_round(points):
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle, half = (low + high) / 2, 0.55 * (high - low).max()
+    return middle, half
+
+
+def drawn_by_foldless(program, folder, header, points, view):
+    write_obj(folder / "rest.obj", header["rest"], header["triangles"])
+    write_obj(folder / "deformed.obj", points, header["triangles"])
+    middle, half = view
+    picture = folder / "foldless.png"
+    subprocess.run([program, "render", f"{folder}/rest.obj,{folder}/deformed.obj", "-o", picture,
+                    "--size", f"{SIZE}x{SIZE}", "--layers", "fill", "--background", "#ffffff",
+                    "--camera", f"{middle[0]},{middle[1]},{SIZE / (2 * half)}"], check=True)
+    return numpy.asarray(Image.open(picture).convert("RGB"), dtype=float)
+
+
+def drawn_by_three(folder, glb, time, view):
+    middle, half = view
+    box = [middle[0] - half, middle[0] + half, middle[1] - half, middle[1] + half]
+    page = (HERE / "viewer.html").read_text()
+    for key, value in {"GLB": base64.b64encode(glb.read_bytes()).decode(), "BOX": json.dumps(box),
+                       "WIDTH": SIZE * SCALE, "HEIGHT": SIZE * SCALE, "TIME": time}.items():
+        page = page.replace(f"@{key}@", str(value))
+    (folder / "page.html").write_text(page)
+    picture = folder / "three.png"
+    subprocess.run(["chromium", "--headless=new", "--no-sandbox", "--hide-scrollbars",
+                    "--allow-file-access-from-files", "--use-angle=swiftshader",
+                    "--enable-unsafe-swiftshader", f"--window-size={SIZE * SCALE},{SIZE * SCALE + 200}",
+                    "--virtual-time-budget=20000", f"--user-data-dir={folder}/profile",
+                    f"--screenshot={picture}", f"file://{folder}/page.html"],
+                   check=True, stderr=subprocess.DEVNULL, timeout=180)
+    image = numpy.asarray(Image.open(picture).convert("RGB"), dtype=float)
+    image = image[:SIZE * SCALE, :SIZE * SCALE]
+    return image.reshape(SIZE, SCALE, SIZE, SCALE, 3).mean(axis=(1, 3))
+
+
+def check(program, scene):
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for ending in ("glb", "foldless"):
+            subprocess.run([program, "animate", scene, "-o", folder / f"a.{ending}", "--quiet"],
+                           check=True)
+        header, frames = read_baked(folder / "a.foldless")
+        worst = 0
+        for time, first, second, share in moments(header, frames):
+            points = ((1 - share) * numpy.array(frames[first]["deformed"])
+                      + share * numpy.array(frames[second]["deformed"]))
+            view = square_round(points)
+            ours = drawn_by_foldless(program, folder, header, points, view)
+            theirs = drawn_by_three(folder, folder / "a.glb", time, view)
+            difference = numpy.abs(ours - theirs).mean()
+            blank = numpy.abs(ours - 255).mean()
+            print(f"{pathlib.Path(scene).stem}: {time:.4f} s: {difference:.2f} grey levels apart "
+                  f"(an empty picture: {blank:.0f})")
+            worst = max(worst, difference)
+        return worst <= MOST
+
+
+if __name__ == "__main__":
+    results = [check(sys.argv[1], scene) for scene in sys.argv[2:]]
+    sys.exit(0 if results and all(results) else 1)
