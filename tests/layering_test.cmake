@@ -102,8 +102,7 @@ only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(sim
         "<CGAL/" "CGAL belongs to five files")
 only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")
 only_in("app/export/vector_[a-z]+\\.(h|cpp)" "<cairo" "cairo belongs to the vector figures")
-only_in("app/cli/(arguments|subcommands)\\.cpp" "<CLI/"
-        "CLI11 belongs to arguments.cpp and subcommands.cpp")
+only_in("app/cli/subcommands\\.h" "<CLI/" "CLI11 belongs to subcommands.h and who includes it")
 only_in("(core/run|app/(bench|export))/.*"
         "std::j?thread([^a-z_:]|$)|std::async|pthread_create|#pragma omp"
         "only core/run, app/bench and app/export start threads")

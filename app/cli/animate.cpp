@@ -75,10 +75,9 @@ class Animate {
 
   int run() {
     const double fps = call_.fps.value_or(scene_.animation->fps);
-    const std::vector<double> moments = moments_to_solve(fps);
-    auto solved = solve_animation(
-        frames_, moments, closing_tolerance(),
-        [&](std::size_t done, std::size_t count) { show("solved", done, count); }, token_);
+    const auto progress = [&](std::size_t done, std::size_t count) { show("solved", done, count); };
+    auto solved =
+        solve_animation(frames_, {moments_to_solve(fps), closing_tolerance(), progress}, token_);
     if (!solved) return kExitInterrupted;
     gap_ = solved->gap;
     solved_ = std::move(solved->frames);

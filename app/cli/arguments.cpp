@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "app/cli/calls.h"
@@ -23,6 +23,65 @@ EditorPictureCall editor_picture_call(const CLI::App& render, const RenderCall& 
   return editor_picture(texts, call);
 }
 
+/// All subcommands with what they are given.
+struct Subcommands {
+  explicit Subcommands(CLI::App& app) {
+    add_solve(app, solve, texts);
+    add_animate(app, animate, texts, animate_flags);
+    add_render(app, render, texts, render_flags);
+    add_mesh(app, mesh);
+    add_check(app, check);
+    add_compare(app, compare);
+    add_replay(app, replay, texts);
+    add_bench(app, bench, texts);
+  }
+
+  ReplayCall replay;
+  SolveCall solve;
+  AnimateCall animate;
+  RenderCall render;
+  MeshCall mesh;
+  CheckCall check;
+  CompareCall compare;
+  BenchCall bench;
+  Texts texts;
+  RenderFlags render_flags, animate_flags;
+};
+
+/// The call of the subcommand that was named; nothing where none was.
+std::optional<Call> named_call(const CLI::App& app, Subcommands& given) {
+  const Texts& texts = given.texts;
+  if (app.got_subcommand("solve")) {
+    read_solve(texts, given.solve);
+    return given.solve;
+  }
+  if (app.got_subcommand("animate")) {
+    read_animate(texts, given.animate_flags.is_transparent, given.animate);
+    return given.animate;
+  }
+  if (app.got_subcommand("render")) {
+    if (given.render_flags.is_of_editor)
+      return editor_picture_call(*app.get_subcommand("render"), given.render, texts);
+    read_render(texts, given.render_flags.is_transparent, given.render);
+    return given.render;
+  }
+  if (app.got_subcommand("mesh")) return given.mesh;
+  if (app.got_subcommand("check")) {
+    read_check(given.check);
+    return given.check;
+  }
+  if (app.got_subcommand("compare")) return given.compare;
+  if (app.got_subcommand("replay")) {
+    if (!texts.size.empty()) given.replay.size = read_size(texts.size);
+    return given.replay;
+  }
+  if (app.got_subcommand("bench")) {
+    read_bench(texts, given.bench);
+    return given.bench;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Call parse_arguments(int argc, const char* const* argv) {
@@ -32,31 +91,13 @@ Call parse_arguments(int argc, const char* const* argv) {
   app.add_flag("--version", wants_version, "print the version and end");
   app.add_flag("--verbose", is_verbose, "with --version: what the program was built with, too");
   EditorCall editor;
-  ReplayCall replay_call;
-  SolveCall solve_call;
-  AnimateCall animate_call;
-  RenderCall render_call;
-  MeshCall mesh_call;
-  CheckCall check_call;
-  CompareCall compare_call;
-  BenchCall bench_call;
-  Texts texts;
-  RenderFlags render_flags;
   app.add_option("FILE", editor.file,
                  "scene, mesh or image to open in the editor; a sample when absent");
   app.add_option(
          "--record", editor.record,
          "write what is done in the editor to a file, for replay; Shift+F12 takes a picture")
       ->type_name("SESSION");
-  const CLI::App* solve = add_solve(app, solve_call, texts);
-  RenderFlags animate_flags;
-  const CLI::App* animate = add_animate(app, animate_call, texts, animate_flags);
-  const CLI::App* render = add_render(app, render_call, texts, render_flags);
-  const CLI::App* mesh = add_mesh(app, mesh_call);
-  const CLI::App* check = add_check(app, check_call);
-  const CLI::App* compare = add_compare(app, compare_call);
-  const CLI::App* replay = add_replay(app, replay_call, texts);
-  const CLI::App* bench = add_bench(app, bench_call, texts);
+  Subcommands subcommands(app);
   add_examples(app, program);
   try {
     app.parse(argc, argv);
@@ -67,33 +108,7 @@ Call parse_arguments(int argc, const char* const* argv) {
   }
   if (wants_version) return TextCall{is_verbose ? verbose_version_text() : version_text()};
   if (is_verbose) throw Error("--verbose goes with --version; see " + program + " --help");
-  if (solve->parsed()) {
-    read_solve(texts, solve_call);
-    return solve_call;
-  }
-  if (animate->parsed()) {
-    read_animate(texts, animate_flags.is_transparent, animate_call);
-    return animate_call;
-  }
-  if (render->parsed()) {
-    if (render_flags.is_of_editor) return editor_picture_call(*render, render_call, texts);
-    read_render(texts, render_flags.is_transparent, render_call);
-    return render_call;
-  }
-  if (mesh->parsed()) return mesh_call;
-  if (check->parsed()) {
-    read_check(check_call);
-    return check_call;
-  }
-  if (compare->parsed()) return compare_call;
-  if (replay->parsed()) {
-    if (!texts.size.empty()) replay_call.size = read_size(texts.size);
-    return replay_call;
-  }
-  if (bench->parsed()) {
-    read_bench(texts, bench_call);
-    return bench_call;
-  }
+  if (const auto call = named_call(app, subcommands)) return *call;
   return editor;
 }
 

@@ -86,6 +86,7 @@ std::vector<GltfPiece> gltf_pieces(const Scene& scene, const BakedAnimation& ani
   }
   order_by_depth(scene, pieces);
   std::vector<GltfPiece> result;
+  result.reserve(pieces.size());
   for (auto& piece : pieces) result.push_back(std::move(piece.second));
   return result;
 }

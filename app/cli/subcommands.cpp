@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/subcommands.h"
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <string_view>
 

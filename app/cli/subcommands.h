@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "app/cli/calls.h"
 #include "app/cli/option_texts.h"
-
-namespace CLI {
-class App;
-}
 
 namespace foldless {
 

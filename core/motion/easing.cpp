@@ -2,6 +2,7 @@
 #include "core/motion/easing.h"
 
 #include <algorithm>
+#include <array>
 
 namespace foldless {
 namespace {
@@ -28,14 +29,25 @@ double Easing::at(double time) const {
   return bezier(first.y(), second.y(), high);
 }
 
+std::span<const NamedEasing> easings() {
+  static const std::array rows{
+      NamedEasing{"linear", {}},
+      NamedEasing{"hold", {{0, 0}, {1, 1}, true}},
+      NamedEasing{"in", {{0.42, 0}, {1, 1}}},
+      NamedEasing{"out", {{0, 0}, {0.58, 1}}},
+      NamedEasing{"both", {{0.42, 0}, {0.58, 1}}},
+  };
+  return rows;
+}
+
 std::optional<Easing> find_easing(std::string_view name) {
-  const auto* const row = std::ranges::find(kEasings, name, &NamedEasing::name);
-  return row == kEasings.end() ? std::nullopt : std::optional(row->easing);
+  const auto row = std::ranges::find(easings(), name, &NamedEasing::name);
+  return row == easings().end() ? std::nullopt : std::optional(row->easing);
 }
 
 std::string_view name_of(const Easing& easing) {
-  const auto* const row = std::ranges::find(kEasings, easing, &NamedEasing::easing);
-  return row == kEasings.end() ? std::string_view() : row->name;
+  const auto row = std::ranges::find(easings(), easing, &NamedEasing::easing);
+  return row == easings().end() ? std::string_view() : row->name;
 }
 
 }  // namespace foldless

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/mesh/triangle.h"
@@ -28,14 +28,8 @@ struct NamedEasing {
   Easing easing;
 };
 
-inline const std::array kEasings{
-    NamedEasing{"linear", {}},
-    NamedEasing{"hold", {{0, 0}, {1, 1}, true}},
-    NamedEasing{"in", {{0.42, 0}, {1, 1}}},
-    NamedEasing{"out", {{0, 0}, {0.58, 1}}},
-    NamedEasing{"both", {{0.42, 0}, {0.58, 1}}},
-};
-
+/// linear, hold, in, out and both.
+std::span<const NamedEasing> easings();
 std::optional<Easing> find_easing(std::string_view name);
 /// Empty for a curve that has none.
 std::string_view name_of(const Easing& easing);

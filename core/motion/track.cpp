@@ -58,7 +58,8 @@ double value_at(const Track<double>& track, double frame, const Cycle& cycle) {
 
 Vec2 point_at(const Track<Vec2>& track, double frame, const Cycle& cycle, const Path& path) {
   const Passage passage = passage_at(track, frame, cycle);
-  const Vec2 from = track[passage.from].value, to = track[passage.to].value;
+  const Vec2& from = track[passage.from].value;
+  const Vec2& to = track[passage.to].value;
   if (from == to || passage.share == 0) return from;
   if (path.shape == PathShape::swing) return swung(from, to, passage.share, path.center);
   if (path.shape == PathShape::straight) return from + passage.share * (to - from);

@@ -16,19 +16,18 @@ double largest_distance(const Snapshot& a, const Snapshot& b) {
 
 class Rounds {
  public:
-  Rounds(const Frames& frames, const std::vector<double>& moments, const FrameProgress& progress)
-      : frames_(frames), moments_(moments), progress_(progress) {}
+  Rounds(const Frames& frames, const FramesWanted& wanted) : frames_(frames), wanted_(wanted) {}
 
   /// One round; frame 0 is solved from `start`, or at rest. In a loop the moment after the last is
   /// solved too, which closes it.
   std::optional<SolvedAnimation> go(const Snapshot* start, const std::stop_token& token) {
     SolvedAnimation round;
-    for (const double moment : moments_) {
+    for (const double moment : wanted_.moments) {
       const Snapshot* before = round.frames.empty() ? start : round.frames.back().snapshot.get();
       auto frame = frames_.solve(moment, before, token);
       if (!frame) return std::nullopt;
       round.frames.push_back(std::move(*frame));
-      progress_(round.frames.size(), moments_.size());
+      wanted_.progress(round.frames.size(), wanted_.moments.size());
     }
     const Cycle& cycle = frames_.animation().cycle;
     if (!cycle.loops) return round;
@@ -42,20 +41,17 @@ class Rounds {
 
  private:
   const Frames& frames_;
-  const std::vector<double>& moments_;
-  const FrameProgress& progress_;
+  const FramesWanted& wanted_;
   std::optional<SolvedFrame> closing_;
 };
 
 }  // namespace
 
-std::optional<SolvedAnimation> solve_animation(const Frames& frames,
-                                               const std::vector<double>& moments, double tolerance,
-                                               const FrameProgress& progress,
+std::optional<SolvedAnimation> solve_animation(const Frames& frames, const FramesWanted& wanted,
                                                const std::stop_token& token) {
-  Rounds rounds(frames, moments, progress);
+  Rounds rounds(frames, wanted);
   auto first = rounds.go(nullptr, token);
-  if (!first || first->gap <= tolerance) return first;
+  if (!first || first->gap <= wanted.tolerance) return first;
   const Snapshot start = rounds.closing();
   auto second = rounds.go(&start, token);
   if (!second || second->gap < first->gap) return second;

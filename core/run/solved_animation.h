@@ -21,12 +21,17 @@ struct SolvedAnimation {
 /// Told how many frames of how many are solved.
 using FrameProgress = std::function<void(std::size_t, std::size_t)>;
 
-/// Solves an animation at ascending moments. A loop that does not come back to its first shape
-/// within `tolerance` [length] is gone through once more from where it came to, and the round that
-/// closes better is kept. Nothing when the token was set.
-std::optional<SolvedAnimation> solve_animation(const Frames& frames,
-                                               const std::vector<double>& moments, double tolerance,
-                                               const FrameProgress& progress,
+/// What is to be solved of an animation.
+struct FramesWanted {
+  std::vector<double> moments;  ///< ascending, in frames from the start
+  double tolerance = 0;         ///< of the gap of a loop [length]
+  FrameProgress progress = [](std::size_t, std::size_t) {};
+};
+
+/// Solves an animation. A loop that does not come back to its first shape within the tolerance is
+/// gone through once more from where it came to, and the round that closes better is kept. Nothing
+/// when the token was set.
+std::optional<SolvedAnimation> solve_animation(const Frames& frames, const FramesWanted& wanted,
                                                const std::stop_token& token);
 
 /// The moments at which an animation is seen with so many frames a second.

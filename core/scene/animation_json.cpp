@@ -17,7 +17,8 @@ Easing read_easing(const JsonValue& value) {
   if (value.node().as<std::string>()) {
     if (const auto easing = find_easing(value.text())) return *easing;
     std::vector<std::string_view> names;
-    for (const NamedEasing& row : kEasings) names.push_back(row.name);
+    names.reserve(easings().size());
+    for (const NamedEasing& row : easings()) names.push_back(row.name);
     value.refuse("is " + value.shown() + ", which is unknown; known are " + listed(names) +
                  " and [x1, y1, x2, y2]");
   }

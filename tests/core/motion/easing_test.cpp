@@ -9,7 +9,7 @@ namespace foldless {
 namespace {
 
 TEST(Easing, BeginsAtZeroAndEndsAtOne) {
-  for (const NamedEasing& row : kEasings) {
+  for (const NamedEasing& row : easings()) {
     EXPECT_EQ(row.easing.at(0), 0) << row.name;
     EXPECT_EQ(row.easing.at(1), 1) << row.name;
   }
@@ -42,7 +42,7 @@ TEST(Easing, AgreesWithTheCurveThatItIs) {
 }
 
 TEST(Easing, KnowsItsName) {
-  for (const NamedEasing& row : kEasings) EXPECT_EQ(name_of(row.easing), row.name);
+  for (const NamedEasing& row : easings()) EXPECT_EQ(name_of(row.easing), row.name);
   EXPECT_EQ(name_of({{0.1, 0}, {0.9, 1}}), "");
 }
 
