@@ -128,7 +128,8 @@ class Animate {
     const FilmOptions options{fps,
                               is_whole_loop(),
                               solved_.size(),
-                              {{"Software", "Foldless"}, {"Scene", call_.scene.string()}}};
+                              {{"Software", "Foldless"}, {"Scene", call_.scene.string()}},
+                              call_.power_of_two};
     FigureRenderer renderer;
     const auto output = film_output(call_.output, options);
     if (output->wants_samples())
@@ -150,7 +151,7 @@ class Animate {
     const auto [width, height] = call_.size.value_or(size_for(box));
     figure.width = width;
     figure.height = height;
-    figure.frame = box;
+    figure.camera = Camera{0.5 * (box.min + box.max), 1 / length_of_a_pixel(box)};
     figure.parts = scene_.parts;
     figure.texture_place = texture_place(scene_);
     Layers plain;

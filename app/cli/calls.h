@@ -51,13 +51,14 @@ struct SolveCall {
 /// `foldless animate SCENE -o OUT`
 struct AnimateCall {
   std::filesystem::path scene;
-  std::filesystem::path output;             ///< .png, .gif, .webp, .glb, .foldless, or a folder
-  std::optional<double> fps;                ///< absent: that of the animation
+  std::filesystem::path output;  ///< .png, .gif, .webp, .json, .glb, .foldless, or a folder
+  std::optional<double> fps;     ///< absent: that of the animation
   std::optional<std::array<int, 2>> range;  ///< first and last frame
   std::optional<std::array<int, 2>> size;   ///< width and height [pixels]
   std::optional<Layers> layers;             ///< absent: what a drawing is shown with
   FigureOptions figure;                     ///< theme and background
   double tolerance = 0.5;                   ///< of a bake [pixels]
+  bool power_of_two = false;                ///< sides of a sprite sheet
   bool quiet = false;                       ///< nothing on stdout
 };
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "app/export/sprite_sheet.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 
@@ -17,15 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The path of a file that can be made. Throws Error.
+fs::path checked(fs::path path) {
+  if (fs::is_directory(path)) throw Error(path.string() + ": is a folder");
+  const fs::path parent = fs::absolute(path).parent_path();
+  if (!fs::is_directory(parent))
+    throw Error(path.string() + ": there is no folder " + parent.string());
+  return path;
+}
+
 class FilmFile : public FilmOutput {
  public:
   FilmFile(fs::path path, std::unique_ptr<Film> film)
-      : path_(std::move(path)), film_(std::move(film)) {
-    if (fs::is_directory(path_)) throw Error(path_.string() + ": is a folder");
-    const fs::path parent = fs::absolute(path_).parent_path();
-    if (!fs::is_directory(parent))
-      throw Error(path_.string() + ": there is no folder " + parent.string());
-  }
+      : path_(checked(std::move(path))), film_(std::move(film)) {}
 
   bool wants_samples() const override { return film_->wants_samples(); }
   void sample(const Image& image) override { film_->sample(image); }
@@ -82,10 +87,32 @@ class PictureFolder : public FilmOutput {
   int count_ = 0;
 };
 
+/// Two files: NAME.json and the picture NAME.png that it speaks of.
+class SheetFiles : public FilmOutput {
+ public:
+  SheetFiles(fs::path path, const FilmOptions& options)
+      : path_(checked(std::move(path))), options_(options), sprites_(options.fps) {}
+
+  void add(const Image& image) override { sprites_.add(image); }
+  void finish() override {
+    const Image sheet = sprites_.sheet(options_.power_of_two);
+    fs::path picture = path_;
+    picture.replace_extension(".png");
+    save_png(picture, sheet, options_.texts);
+    write_file_atomically(path_, sprites_.json(sheet, picture.filename().string()));
+  }
+
+ private:
+  fs::path path_;
+  FilmOptions options_;
+  SpriteSheet sprites_;
+};
+
 }  // namespace
 
 std::unique_ptr<FilmOutput> film_output(const fs::path& path, const FilmOptions& options) {
   const std::string ending = path.extension();
+  if (ending == ".json") return std::make_unique<SheetFiles>(path, options);
   if (ending == ".png") return std::make_unique<FilmFile>(path, make_apng(options));
   if (ending == ".gif") return std::make_unique<FilmFile>(path, make_gif(options));
   if (ending == ".webp") return std::make_unique<FilmFile>(path, make_animated_webp(options));

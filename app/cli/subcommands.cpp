@@ -61,9 +61,9 @@ CLI::App* add_animate(CLI::App& app, AnimateCall& call, Texts& texts, RenderFlag
                          "baked onto one mesh and proved between all frames");
   animate->add_option("SCENE", call.scene, "scene file with an animation")->required();
   animate
-      ->add_option(
-          "-o,--output", call.output,
-          ".png (animated), .gif, .webp, .glb or .foldless (baked), or a new folder for pictures")
+      ->add_option("-o,--output", call.output,
+                   ".png (animated), .gif, .webp, .json (sprite sheet), .glb or .foldless (baked), "
+                   "or a new folder")
       ->required()
       ->type_name("OUT");
   animate->add_option("--fps", texts.fps, "frames a second, those of the scene when absent")
@@ -83,6 +83,7 @@ CLI::App* add_animate(CLI::App& app, AnimateCall& call, Texts& texts, RenderFlag
       ->add_option("--bake-tolerance", call.tolerance,
                    "pixels by which a baked point may be off the solver's map, 0.5 when absent")
       ->type_name("PX");
+  animate->add_flag("--power-of-two", call.power_of_two, "sides of a sprite sheet");
   animate->add_flag("--quiet", call.quiet, "print nothing but errors");
   return animate;
 }

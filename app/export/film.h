@@ -11,10 +11,11 @@ namespace foldless {
 
 /// What a film is, besides its pictures.
 struct FilmOptions {
-  double fps = 24;        ///< pictures a second, > 0
-  bool loops = false;     ///< for ever; otherwise it is seen once
-  std::size_t count = 1;  ///< pictures that will be added
-  ImageTexts texts = {};  ///< see encode_png()
+  double fps = 24;            ///< pictures a second, > 0
+  bool loops = false;         ///< for ever; otherwise it is seen once
+  std::size_t count = 1;      ///< pictures that will be added
+  ImageTexts texts = {};      ///< see encode_png()
+  bool power_of_two = false;  ///< sides of a sprite sheet
 };
 
 /// Moving pictures as the bytes of one file. Of a picture only what differs from the one before is

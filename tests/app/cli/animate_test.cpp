@@ -99,6 +99,21 @@ TEST(AnimateCall, ARangeIsAPartOfTheWhole) {
   EXPECT_EQ(slower.frames[4].frame, 8);
 }
 
+TEST(AnimateCall, ASpriteSheetHasItsPictureBesideIt) {
+  const TemporaryFolder folder;
+  const Ended ended = test::run({"animate", sample("snap"), "-o", folder / "a.json", "--size",
+                                 "90x60", "--transparent", "--power-of-two"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const auto text = nlohmann::json::parse(read_file(folder / "a.json"));
+  EXPECT_EQ(text["frames"].size(), 36U);
+  EXPECT_EQ(text["frames"][0]["trimmed"], true);
+  EXPECT_EQ(text["meta"]["image"], "a.png");
+  const Image sheet = load_image(folder / "a.png");
+  EXPECT_EQ(sheet.width & (sheet.width - 1), 0);
+  EXPECT_EQ(text["meta"]["size"]["h"], sheet.height);
+  EXPECT_EQ(entries_in(folder.path()), 2U);
+}
+
 TEST(AnimateCall, GltfIsProvedInSinglePrecision) {
   const TemporaryFolder folder;
   for (const char* name : {"walk", "turn_360"}) {
