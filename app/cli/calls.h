@@ -51,8 +51,9 @@ struct SolveCall {
 /// `foldless animate SCENE -o OUT`
 struct AnimateCall {
   std::filesystem::path scene;
-  std::filesystem::path output;  ///< .png, .gif, .webp, .json, .glb, .foldless, or a folder
-  std::optional<double> fps;     ///< absent: that of the animation
+  std::filesystem::path
+      output;  ///< .png, .gif, .webp, .mp4, .webm, .json, .glb, .foldless, or a folder
+  std::optional<double> fps;                ///< absent: that of the animation
   std::optional<std::array<int, 2>> range;  ///< first and last frame
   std::optional<std::array<int, 2>> size;   ///< width and height [pixels]
   std::optional<Layers> layers;             ///< absent: what a drawing is shown with

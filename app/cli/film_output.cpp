@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "app/cli/video_file.h"
 #include "app/export/sprite_sheet.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
@@ -116,6 +117,7 @@ std::unique_ptr<FilmOutput> film_output(const fs::path& path, const FilmOptions&
   if (ending == ".png") return std::make_unique<FilmFile>(path, make_apng(options));
   if (ending == ".gif") return std::make_unique<FilmFile>(path, make_gif(options));
   if (ending == ".webp") return std::make_unique<FilmFile>(path, make_animated_webp(options));
+  if (is_video(path)) return video_file(checked(path), options);
   return std::make_unique<PictureFolder>(path, options.texts);
 }
 

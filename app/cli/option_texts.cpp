@@ -194,12 +194,12 @@ EditorPictureCall editor_picture(const Texts& texts, const RenderCall& call) {
 }
 
 void read_animate(const Texts& texts, bool is_transparent, AnimateCall& call) {
-  constexpr std::array<std::string_view, 7> kEndings{"",      ".png", ".gif",     ".webp",
-                                                     ".json", ".glb", ".foldless"};
+  constexpr std::array<std::string_view, 9> kEndings{"",      ".png",  ".gif", ".webp",    ".mp4",
+                                                     ".webm", ".json", ".glb", ".foldless"};
   if (std::ranges::find(kEndings, call.output.extension().string()) == kEndings.end())
-    throw Error(
-        call.output.string() +
-        ": animate writes .png, .gif, .webp, .json, .glb, .foldless or a folder of pictures");
+    throw Error(call.output.string() +
+                ": animate writes .png, .gif, .webp, .mp4, .webm, .json, .glb, .foldless or a "
+                "folder of pictures");
   RenderCall look;
   look.figure = call.figure;
   read_render(texts, is_transparent, look);
