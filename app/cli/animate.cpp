@@ -63,6 +63,22 @@ std::array<int, 2> size_for(const Box& box) {
   return {pixels(width), pixels(height)};
 }
 
+/// Throws Error where what is to be written would take the place of what it is made of.
+void expect_no_source(const std::filesystem::path& output, const Scene& scene,
+                      const std::filesystem::path& scene_file) {
+  std::vector<std::filesystem::path> written{output};
+  if (output.extension() == ".json") written.push_back(picture_of_sheet(output));
+  std::vector<std::filesystem::path> sources{scene_file};
+  for (const std::string& path : {scene.mesh_path, scene.texture_path})
+    if (!path.empty()) sources.push_back(scene.folder / path);
+  for (const std::filesystem::path& file : written)
+    for (const std::filesystem::path& source : sources) {
+      std::error_code ignored;  // They are not there.
+      if (std::filesystem::equivalent(file, source, ignored))
+        throw Error(file.string() + ": the animation is made of it; write it under another name");
+    }
+}
+
 /// The call while it is carried out.
 class Animate {
  public:
@@ -81,7 +97,7 @@ class Animate {
     if (!solved) return kExitInterrupted;
     gap_ = solved->gap;
     solved_ = std::move(solved->frames);
-    if (call_.range) solved_.erase(solved_.begin(), solved_.begin() + (*call_.range)[0]);
+    cut_to_range();
     return is_baked() ? write_baked() : write_pictures(fps);
   }
 
@@ -93,16 +109,23 @@ class Animate {
     return 0.25 / kPixels * sides.maxCoeff();
   }
 
-  /// Up to the last frame of the range: what is before has to be solved as well.
   std::vector<double> moments_to_solve(double fps) const {
-    std::vector<double> moments = moments_of(*scene_.animation, fps);
-    if (!call_.range) return moments;
-    const auto [first, last] = *call_.range;
-    if (static_cast<std::size_t>(last) >= moments.size())
-      throw Error("--range ends with frame " + std::to_string(last) + ", but the last is " +
-                  std::to_string(moments.size() - 1));
-    moments.resize(static_cast<std::size_t>(last) + 1);
+    const Animation& animation = *scene_.animation;
+    if (animation.cycle.frames / animation.fps * fps > kMostFrames)
+      throw Error("--fps makes more than " + std::to_string(kMostFrames) + " frames");
+    const std::vector<double> moments = moments_of(animation, fps);
+    if (call_.range && static_cast<std::size_t>((*call_.range)[1]) >= moments.size())
+      throw Error("--range ends with frame " + std::to_string((*call_.range)[1]) +
+                  ", but the last is " + std::to_string(moments.size() - 1));
     return moments;
+  }
+
+  /// Only now: a frame follows from those before it, and in a loop from the round that is kept.
+  void cut_to_range() {
+    if (!call_.range) return;
+    const auto [first, last] = *call_.range;
+    solved_.erase(solved_.begin() + last + 1, solved_.end());
+    solved_.erase(solved_.begin(), solved_.begin() + first);
   }
 
   bool is_baked() const { return call_.output.extension() == ".foldless" || is_gltf(); }
@@ -263,6 +286,7 @@ int animate(const AnimateCall& call) {
   if (!loaded.scene.animation)
     throw Error(call.scene.string() + ": has no animation; give its handles tracks under " +
                 "'animation'");
+  expect_no_source(call.output, loaded.scene, call.scene);
   if (!call.quiet) print_notices(loaded.notices);
   const Interrupt interrupt;
   const StopWatch watch(

@@ -4,10 +4,10 @@
 #include <iostream>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "app/cli/calls.h"
+#include "app/cli/check_line.h"
 #include "app/cli/command_line.h"
 #include "app/cli/problem.h"
 #include "app/cli/solved_folder.h"
@@ -18,7 +18,6 @@
 #include "core/method/satisfied.h"
 #include "core/run/active_part.h"
 #include "core/run/followers.h"
-#include "core/scene/json_node.h"
 
 namespace foldless {
 namespace {
@@ -49,35 +48,7 @@ Distortion distortion_of(const Triangles& triangles, const Points& rest, const P
   return d;
 }
 
-/// Collects the line that is printed.
-class Line {
- public:
-  void add(std::string_view key, double value) { object_.emplace_back(key, node_of(value)); }
-  void add(std::string_view key, bool value) { object_.emplace_back(key, JsonNode{value}); }
-  /// Something that is wrong with the map.
-  void add_problem(std::string words) { problems_.push_back({std::move(words)}); }
-
-  std::string text() && {
-    const bool is_ok = problems_.empty();
-    object_.emplace_back("problems", JsonNode{std::move(problems_)});
-    add("ok", is_ok);
-    // Line breaks inside strings are escaped: those that are left, with the blanks that follow,
-    // are layout.
-    std::string line;
-    bool is_layout = false;
-    for (const char c : json_text({std::move(object_)})) {
-      is_layout = c == '\n' || (is_layout && c == ' ');
-      if (!is_layout) line += c;
-    }
-    return line + '\n';
-  }
-
- private:
-  JsonNode::Object object_;
-  JsonNode::Array problems_;
-};
-
-bool add_injectivity(const MeshFiles& files, Line& line) {
+bool add_injectivity(const MeshFiles& files, CheckLine& line) {
   const Triangles& triangles = files.rest.triangles;
   const InjectivityReport rest = check_injectivity(triangles, files.rest.points);
   const InjectivityReport deformed = check_injectivity(triangles, files.deformed.points);
@@ -112,7 +83,7 @@ bool add_injectivity(const MeshFiles& files, Line& line) {
   return is_injective;
 }
 
-void add_distortion(const MeshFiles& files, Line& line) {
+void add_distortion(const MeshFiles& files, CheckLine& line) {
   const Distortion d =
       distortion_of(files.rest.triangles, files.rest.points, files.deformed.points);
   line.add("min_area_ratio", d.min_area_ratio);
@@ -121,7 +92,7 @@ void add_distortion(const MeshFiles& files, Line& line) {
   line.add("conformal_mean", d.conformal_sum / d.triangles);
 }
 
-void add_handles(const Scene& scene, const MeshFiles& files, Line& line) {
+void add_handles(const Scene& scene, const MeshFiles& files, CheckLine& line) {
   const Points& deformed = files.deformed.points;
   // A solver may have removed vertices of splits that the scene's state has, but none of a handle.
   Eigen::Index expected = scene.rest.cols();
@@ -156,7 +127,7 @@ void add_handles(const Scene& scene, const MeshFiles& files, Line& line) {
 int check(const CheckCall& call) {
   if (call.deformed.empty()) return check_animation(call.rest);
   const MeshFiles files = read_mesh_files(call.rest, call.deformed);
-  Line line;
+  CheckLine line;
   const bool is_injective = add_injectivity(files, line);
   add_distortion(files, line);
   if (call.scene) add_handles(load_scene_file(*call.scene).scene, files, line);

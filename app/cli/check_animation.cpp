@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
-#include <string>
+#include <utility>
 
 #include "app/cli/calls.h"
+#include "app/cli/check_line.h"
 #include "app/cli/command_line.h"
 #include "app/cli/failure_words.h"
-#include "core/files/text_lines.h"
 #include "core/scene/baked_io.h"
 
 namespace foldless {
@@ -15,16 +15,14 @@ int check_animation(const std::filesystem::path& file) {
   const std::vector<BakedFailure> failures = failures_of(animation);
   const std::size_t count = animation.frames.size();
   const std::size_t steps = animation.loops ? count : count - 1;
-  std::string line = "{\"vertices\": " + std::to_string(animation.rest.cols());
-  line += ", \"faces\": " + std::to_string(animation.triangles.cols());
-  line += ", \"frames\": " + std::to_string(count);
-  line += ", \"steps\": " + std::to_string(steps);
-  line += ", \"unproved_steps\": " + std::to_string(failures.size());
-  line += ", \"problems\": [";
-  for (std::size_t i = 0; i < failures.size(); ++i)
-    line += (i == 0 ? "\"" : ", \"") + words_of(failures[i], animation) + "\"";
-  line += std::string("], \"ok\": ") + (failures.empty() ? "true" : "false") + "}\n";
-  std::cout << line;
+  CheckLine line;
+  line.add("vertices", static_cast<double>(animation.rest.cols()));
+  line.add("faces", static_cast<double>(animation.triangles.cols()));
+  line.add("frames", count + 0.0);
+  line.add("steps", steps + 0.0);
+  line.add("unproved_steps", failures.size() + 0.0);
+  for (const BakedFailure& failure : failures) line.add_problem(words_of(failure, animation));
+  std::cout << std::move(line).text();
   return failures.empty() ? kExitDone : kExitNotSatisfied;
 }
 

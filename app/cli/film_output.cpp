@@ -97,8 +97,7 @@ class SheetFiles : public FilmOutput {
   void add(const Image& image) override { sprites_.add(image); }
   void finish() override {
     const Image sheet = sprites_.sheet(options_.power_of_two);
-    fs::path picture = path_;
-    picture.replace_extension(".png");
+    const fs::path picture = picture_of_sheet(path_);
     save_png(picture, sheet, options_.texts);
     write_file_atomically(path_, sprites_.json(sheet, picture.filename().string()));
   }
@@ -110,6 +109,8 @@ class SheetFiles : public FilmOutput {
 };
 
 }  // namespace
+
+fs::path picture_of_sheet(const fs::path& path) { return fs::path(path).replace_extension(".png"); }
 
 std::unique_ptr<FilmOutput> film_output(const fs::path& path, const FilmOptions& options) {
   const std::string ending = path.extension();

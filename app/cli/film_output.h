@@ -31,4 +31,7 @@ class FilmOutput {
 std::unique_ptr<FilmOutput> film_output(const std::filesystem::path& path,
                                         const FilmOptions& options);
 
+/// The picture that a sprite sheet speaks of.
+std::filesystem::path picture_of_sheet(const std::filesystem::path& path);
+
 }  // namespace foldless

@@ -208,8 +208,8 @@ void read_animate(const Texts& texts, bool is_transparent, AnimateCall& call) {
   if (!texts.size.empty()) call.size = read_size(texts.size);
   if (!texts.fps.empty()) {
     call.fps = parse_number(texts.fps);
-    if (!call.fps || !(*call.fps > 0 && *call.fps <= kLargestFps))
-      throw Error("--fps takes a number above 0, at most 1000, not " + in_quotes(texts.fps));
+    if (!call.fps || !(*call.fps >= kLeastFps && *call.fps <= kLargestFps))
+      throw Error("--fps takes a number from 0.1 to 1000, not " + in_quotes(texts.fps));
   }
   if (!texts.range.empty()) call.range = read_range(texts.range);
   if (!(call.tolerance > 0)) throw Error("--bake-tolerance takes a number above 0");

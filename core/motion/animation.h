@@ -18,9 +18,6 @@ struct HandleTracks {
   Track<double> weight = {};  ///< of soft handles, > 0
 
   bool operator==(const HandleTracks&) const = default;
-  bool is_empty() const {
-    return position.empty() && angle.empty() && depth.empty() && weight.empty();
-  }
 };
 
 /// Handles that swing about a centre from key to key, as an arm does about its shoulder.
@@ -33,7 +30,7 @@ struct TurningGroup {
 
 /// How the handles of a scene move.
 struct Animation {
-  double fps = 24;  ///< frames a second, > 0
+  double fps = 24;  ///< frames a second, from kLeastFps to kLargestFps
   Cycle cycle;  ///< frames 0 to frames − 1 are shown; in a loop frame `frames` is the first again
   std::vector<HandleTracks> tracks;  ///< one a handle at most
   std::vector<TurningGroup> groups;
@@ -41,7 +38,7 @@ struct Animation {
   bool operator==(const Animation&) const = default;
 };
 
-inline constexpr double kLargestFps = 1000;
+inline constexpr double kLeastFps = 0.1, kLargestFps = 1000;
 inline constexpr int kMostFrames = 100000;
 
 /// The handles at a moment, in frames from the start: 0 ≤ frame ≤ cycle.frames.

@@ -20,8 +20,6 @@ class GrowingMesh {
   int origin(int t) const { return origins_[static_cast<std::size_t>(t)]; }
   const Vec2& rest(int v) const { return rest_[static_cast<std::size_t>(v)]; }
 
-  /// The triangles beside an edge.
-  std::vector<int> beside(int a, int b) const;
   /// A vertex on the edge from a to b, or inside of a triangle; it becomes the last. Returns the
   /// triangles that were changed and made; none where one of them would not be counter-clockwise,
   /// or a needle: then nothing was added.
@@ -36,6 +34,8 @@ class GrowingMesh {
     int triangle;
     std::vector<Eigen::Vector3i> parts;
   };
+  /// The triangles at an edge.
+  std::vector<int> beside(int a, int b) const;
   std::vector<int> replace(const std::vector<Replacement>& replacements, const Vec2& at);
   void enter(int t);
   void leave(int t);

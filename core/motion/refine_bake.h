@@ -27,7 +27,6 @@ class RefineBake {
 
   const GrowingMesh& mesh() const { return mesh_; }
   Points deformed(std::size_t frame) const;
-  const FrameMap& map(std::size_t frame) const { return maps_[frame]; }
   /// The largest distance to the maps of all frames. [length]
   double deviation() const;
 

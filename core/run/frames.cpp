@@ -33,7 +33,7 @@ std::optional<SolvedFrame> Frames::solve(double frame, const Snapshot* before,
     last = run.snapshot();
     visit(last);
   }
-  return SolvedFrame{frame, run.snapshot(), run.is_satisfied(), *run.outcome(), run.verdict()};
+  return SolvedFrame{frame, run.snapshot(), run.is_satisfied(), run.verdict()};
 }
 
 }  // namespace foldless

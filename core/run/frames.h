@@ -18,7 +18,6 @@ struct SolvedFrame {
   double frame = 0;                          ///< the moment, in frames from the start
   std::shared_ptr<const Snapshot> snapshot;  ///< valid
   bool is_satisfied = false;                 ///< every handle that is not soft is at its target
-  Outcome outcome = Outcome::gradient;       ///< how its run ended
   std::string verdict;                       ///< of the method; may be empty
 };
 

@@ -139,9 +139,9 @@ Animation read_animation(const JsonValue& animation, const std::vector<Handle>& 
   animation.allow_only({"fps", "frames", "loop", "tracks", "groups"});
   Animation result;
   if (const auto fps = animation.find("fps")) {
-    result.fps = fps->number_above_zero();
-    if (result.fps > kLargestFps)
-      fps->refuse("is " + fps->shown() + ", but a number up to 1000 is needed");
+    result.fps = fps->number();
+    if (!(result.fps >= kLeastFps && result.fps <= kLargestFps))
+      fps->refuse("is " + fps->shown() + ", but a number from 0.1 to 1000 is needed");
   }
   const JsonValue frames = animation.at("frames");
   result.cycle.frames = frames.integer();

@@ -99,6 +99,42 @@ TEST(AnimateCall, ARangeIsAPartOfTheWhole) {
   EXPECT_EQ(slower.frames[4].frame, 8);
 }
 
+TEST(AnimateCall, ARangeHasTheFramesOfTheWhole) {
+  const TemporaryFolder folder;
+  const std::string whole = folder / "whole.foldless", part = folder / "part.foldless";
+  ASSERT_EQ(test::run({"animate", sample("walk"), "-o", whole, "--quiet"}).status, 0);
+  ASSERT_EQ(test::run({"animate", sample("walk"), "-o", part, "--range", "5-9", "--quiet"}).status,
+            0);
+  const BakedAnimation all = read_baked(whole), some = read_baked(part);
+  ASSERT_EQ(all.frames.size(), 24U);
+  ASSERT_EQ(some.frames.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_EQ(some.frames[i].deformed.leftCols(some.original_vertices),
+              all.frames[5 + i].deformed.leftCols(all.original_vertices))
+        << i;
+}
+
+TEST(AnimateCall, WhatItIsMadeOfIsNotWrittenOver) {
+  const TemporaryFolder folder;
+  const std::string scene = folder / "walk.json";
+  std::string text = read_file(sample("walk"));
+  const std::string mesh = "../meshes/gingerbread.obj";
+  text.replace(text.find(mesh), mesh.size(), "body.obj");
+  text.insert(text.find("\"energy\""), "\"texture\": \"walk.png\", ");
+  write_file_atomically(scene, text);
+  fs::copy_file(data_path("assets/meshes/gingerbread.obj"), folder / "body.obj");
+  save_png(folder / "walk.png", Image(4, 4));
+  const std::string picture = read_file(folder / "walk.png");
+  for (const char* name : {"walk.json", "walk.png"}) {
+    const Ended ended = test::run({"animate", scene, "-o", folder / name});
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_NE(ended.err.find("the animation is made of it"), ended.err.npos) << ended.err;
+  }
+  EXPECT_EQ(read_file(scene), text);
+  EXPECT_EQ(read_file(folder / "walk.png"), picture);
+  EXPECT_EQ(entries_in(folder.path()), 3U);
+}
+
 TEST(AnimateCall, ASpriteSheetHasItsPictureBesideIt) {
   const TemporaryFolder folder;
   const Ended ended = test::run({"animate", sample("snap"), "-o", folder / "a.json", "--size",
@@ -158,7 +194,7 @@ TEST(AnimateCall, SaysWhatIsWrongAndWritesNothing) {
   EXPECT_EQ(error({sample("walk"), "-o", out, "--range", "5-24"}),
             "foldless: --range ends with frame 24, but the last is 23\n");
   EXPECT_EQ(error({sample("walk"), "-o", out, "--fps", "0"}),
-            "foldless: --fps takes a number above 0, at most 1000, not '0'\n");
+            "foldless: --fps takes a number from 0.1 to 1000, not '0'\n");
   EXPECT_NE(error({sample("walk"), "-o", folder / "none/a.png"}).find("there is no folder"),
             std::string::npos);
   EXPECT_EQ(entries_in(folder.path()), 0U);

@@ -86,7 +86,9 @@ TEST_F(AnimationJson, NeedsItsFramesAlone) {
   EXPECT_EQ(error(R"({"frames": 0})"),
             "scene.json:2: animation.frames is 0, but a number from 1 to 100000 is needed");
   EXPECT_EQ(error(R"({"frames": 5, "fps": 1e9})"),
-            "scene.json:2: animation.fps is 1e+09, but a number up to 1000 is needed");
+            "scene.json:2: animation.fps is 1e+09, but a number from 0.1 to 1000 is needed");
+  EXPECT_EQ(error(R"({"frames": 5, "fps": 0.01})"),
+            "scene.json:2: animation.fps is 0.01, but a number from 0.1 to 1000 is needed");
   EXPECT_EQ(error(R"({"frames": 5, "length": 2})"),
             "scene.json:2: animation.'length' = 2 is an unknown key; known keys are fps, frames, "
             "loop, tracks, groups");
