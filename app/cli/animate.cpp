@@ -113,7 +113,7 @@ class Animate {
     const Animation& animation = *scene_.animation;
     if (animation.cycle.frames / animation.fps * fps > kMostFrames)
       throw Error("--fps makes more than " + std::to_string(kMostFrames) + " frames");
-    const std::vector<double> moments = moments_of(animation, fps);
+    std::vector<double> moments = moments_of(animation, fps);
     if (call_.range && static_cast<std::size_t>((*call_.range)[1]) >= moments.size())
       throw Error("--range ends with frame " + std::to_string((*call_.range)[1]) +
                   ", but the last is " + std::to_string(moments.size() - 1));
