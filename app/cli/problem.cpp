@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/problem.h"
 
-#include <algorithm>
 #include <iostream>
 #include <string_view>
 #include <utility>
 
 #include "core/method/methods.h"
+#include "core/run/mesh_at_rest.h"
 
 namespace foldless {
 
@@ -27,12 +27,12 @@ Problem problem_of(const Scene& scene) {
 
 Problem problem_at_rest(const Scene& scene) {
   Problem problem = problem_of(scene);
-  const auto is_of_split = [&](const Handle& handle) { return handle.vertex >= scene.rest.cols(); };
-  const bool keeps_state = std::ranges::any_of(scene.handles, is_of_split);
-  MeshPair mesh = keeps_state ? MeshPair(scene.state->triangles, scene.state->rest)
-                              : MeshPair(scene.triangles, scene.rest);
-  mesh.set_stiffness(problem.mesh.stiffness());
+  auto [mesh, handles] =
+      mesh_at_rest({scene.triangles, scene.rest}, scene.handles,
+                   scene.state ? scene.state->rest : scene.rest, scene.parameters.delta);
+  mesh.set_stiffness(stiffness_with(scene.stiffness, handles, mesh.rest()));
   problem.mesh = std::move(mesh);
+  problem.handles = std::move(handles);
   return problem;
 }
 

@@ -40,10 +40,14 @@ bool are_panes_linked(const Editor& e) {
 }
 bool is_stuck(const Editor& e) { return e.stuck().handle() != nullptr; }
 bool has_race(const Editor& e) { return e.race().is_open(); }
+bool has_time_line(const Editor& e) { return e.motion().is_open(); }
+bool has_frames(const Editor& e) { return has_time_line(e) && e.motion().has_keys(); }
+bool has_keys_selected(const Editor& e) { return !e.motion().selected().empty(); }
 
-// The transport works on the race while there is one.
+// The transport works on the race while there is one, else on the time line while it is open.
 
 bool is_paused(const Editor& e) {
+  if (has_time_line(e)) return !e.motion().is_playing();
   if (has_race(e)) return !e.race().is_playing() && !e.race().is_finished();
   return e.playback().state() == SolvingState::paused;
 }
@@ -51,12 +55,15 @@ bool has_iterations(const Editor& e) {
   return has_race(e) ? e.race().furthest() > 0 : !e.playback().iterations().empty();
 }
 bool can_go_back(const Editor& e) {
+  if (!has_race(e) && has_time_line(e)) return true;
   return has_race(e) ? e.race().tick() > 0 : !e.playback().iterations().empty();
 }
 bool can_go_to_first(const Editor& e) {
+  if (!has_race(e) && has_time_line(e)) return true;
   return has_race(e) ? can_go_back(e) : e.playback().can_scrub();
 }
 bool can_go_to_last(const Editor& e) {
+  if (!has_race(e) && has_time_line(e)) return true;
   return has_race(e) ? e.race().tick() < e.race().furthest() : is_scrubbed(e);
 }
 
@@ -68,6 +75,7 @@ DocumentEdits& part_with(void (DocumentEdits::*)(), Editor& e) { return e.edits(
 DocumentFiles& part_with(void (DocumentFiles::*)(), Editor& e) { return e.files(); }
 Selection& part_with(void (Selection::*)(), Editor& e) { return e.selection(); }
 CanvasView& part_with(void (CanvasView::*)(), Editor& e) { return e.view(); }
+Motion& part_with(void (Motion::*)(), Editor& e) { return e.motion(); }
 Playback& part_with(void (Playback::*)(), Editor& e) { return e.playback(); }
 PoseComparison& part_with(void (PoseComparison::*)(), Editor& e) { return e.comparison(); }
 StiffnessBrush& part_with(void (StiffnessBrush::*)(), Editor& e) { return e.brush(); }
@@ -86,6 +94,24 @@ void transport(Editor& e) {
     (e.race().*InRace)();
   else
     call<InEditor>(e);
+}
+
+template <auto InRace, auto InMotion, auto InEditor>
+void transport(Editor& e) {
+  if (has_race(e))
+    (e.race().*InRace)();
+  else if (has_time_line(e))
+    call<InMotion>(e);
+  else
+    call<InEditor>(e);
+}
+
+/// What was selected last goes: keys of the time line, or handles.
+void delete_selected(Editor& e) {
+  if (has_keys_selected(e))
+    e.motion().delete_selected();
+  else
+    e.edits().delete_selected();
 }
 
 template <Request R>
@@ -186,7 +212,7 @@ std::vector<Command> edit_commands() {
   return {
       repeating({"edit.undo", "Edit", "Undo", {{Key::z, kControl}}, can_undo, call<&Draft::undo>}),
       repeating({"edit.redo", "Edit", "Redo", {{Key::z, kControlShift}, {Key::y, kControl}}, can_redo, call<&Draft::redo>}),
-      {"edit.delete", "Edit", "Delete handles", {{Key::del, kNone}, {Key::backspace, kNone}}, has_selection, call<&DocumentEdits::delete_selected>},
+      {"edit.delete", "Edit", "Delete handles or keys", {{Key::del, kNone}, {Key::backspace, kNone}}, [](const Editor& e) { return has_selection(e) || has_keys_selected(e); }, delete_selected},
       {"edit.reset_pose", "Edit", "Reset pose", {{Key::r, kControl}}, has_mesh, call<&DocumentEdits::reset_pose>},
       {"select.all", "Edit", "Select all", {{Key::a, kControl}}, has_handles, call<&Selection::select_all>},
       {"select.none", "Edit", "Select none", {{Key::a, kControlShift}}, has_selection, call<&Selection::select_none>},
@@ -222,12 +248,12 @@ std::vector<Command> handle_commands() {
 
 std::vector<Command> solve_commands() {
   return {
-      in_race({"solve.toggle", "Solve", "Pause or resume", {{Key::space, kNone}}, has_mesh, transport<&Race::toggle, &Playback::toggle_pause>, is_paused}),
+      in_race({"solve.toggle", "Solve", "Pause or resume", {{Key::space, kNone}}, has_mesh, transport<&Race::toggle, &Motion::toggle_play, &Playback::toggle_pause>, is_paused}),
       {"solve.stop", "Solve", "Stop", {}, is_solving, call<&Playback::stop>},
-      in_race(repeating({"solve.step", "Solve", "Next iteration", {{Key::period, kNone}}, has_handles, transport<&Race::step_forward, &Playback::step_forward>})),
-      in_race(repeating({"solve.back", "Solve", "Previous iteration", {{Key::comma, kNone}}, can_go_back, transport<&Race::step_back, &Playback::step_back>})),
-      in_race({"solve.first", "Solve", "First iteration", {{Key::comma, kShift}}, can_go_to_first, transport<&Race::first_tick, &Playback::first>}),
-      in_race({"solve.last", "Solve", "Newest iteration", {{Key::period, kShift}}, can_go_to_last, transport<&Race::last_tick, &Playback::last>}),
+      in_race(repeating({"solve.step", "Solve", "Next iteration or frame", {{Key::period, kNone}}, has_handles, transport<&Race::step_forward, &Motion::step_forward, &Playback::step_forward>})),
+      in_race(repeating({"solve.back", "Solve", "Previous iteration or frame", {{Key::comma, kNone}}, can_go_back, transport<&Race::step_back, &Motion::step_back, &Playback::step_back>})),
+      in_race({"solve.first", "Solve", "First iteration or frame", {{Key::comma, kShift}}, can_go_to_first, transport<&Race::first_tick, &Motion::first, &Playback::first>}),
+      in_race({"solve.last", "Solve", "Newest iteration, last frame", {{Key::period, kShift}}, can_go_to_last, transport<&Race::last_tick, &Motion::last, &Playback::last>}),
       {"solve.play", "Solve", "Play the iterations", {{Key::p, kNone}}, can_play, call<&Playback::toggle_play>, [](const Editor& e) { return e.playback().is_playing(); }},
       {"solve.loop", "Solve", "Play them again and again", {{Key::p, kShift}}, has_mesh, call<&Playback::toggle_loop>, [](const Editor& e) { return e.playback().loops(); }},
       {"solve.use", "Solve", "Use this iteration", {{Key::enter, kNone}}, is_scrubbed, call<&Playback::use_iteration>},
@@ -236,6 +262,22 @@ std::vector<Command> solve_commands() {
       {"stuck.split", "Solve", "Split the edges in the way", {{Key::s, kShift}}, is_stuck, call<&StuckHelp::split_blocking>},
       in_race({"race.toggle", "Solve", "Race of methods", {{Key::m, kNone}}, has_handles, call<&Editor::toggle_race>, has_race}),
       in_race({"race.restart", "Solve", "Start the race again", {{Key::m, kShift}}, has_race, [](Editor& e) { e.race().restart(); }}),
+  };
+}
+
+std::vector<Command> motion_commands() {
+  return {
+      {"motion.toggle", "Motion", "Time line", {{Key::t, kNone}}, has_mesh, call<&Motion::toggle>, has_time_line},
+      {"motion.key", "Motion", "Set keys here", {{Key::i, kNone}}, [](const Editor& e) { return has_time_line(e) && has_handles(e); }, call<&Motion::key_handles>},
+      {"motion.record", "Motion", "Moved handles get keys", {{Key::i, kShift}}, has_time_line, call<&Motion::toggle_records>, [](const Editor& e) { return e.motion().records(); }},
+      repeating({"motion.next_key", "Motion", "Next key", {{Key::period, kAlt}}, has_frames, call<&Motion::next_key>}),
+      repeating({"motion.previous_key", "Motion", "Previous key", {{Key::comma, kAlt}}, has_frames, call<&Motion::previous_key>}),
+      {"motion.copy", "Motion", "Copy keys", {{Key::c, kControl}}, has_keys_selected, call<&Motion::copy>},
+      {"motion.paste", "Motion", "Paste keys at the play head", {{Key::v, kControl}}, [](const Editor& e) { return has_time_line(e) && e.motion().can_paste(); }, call<&Motion::paste>},
+      {"motion.select_keys", "Motion", "Select all keys", {}, has_frames, [](Editor& e) { e.motion().select(keys_of(e.motion().animation())); }},
+      {"motion.smooth", "Motion", "Smooth paths", {}, [](const Editor& e) { return has_frames(e) && has_selection(e); }, call<&Motion::toggle_smooth>, [](const Editor& e) { return e.motion().is_smooth(); }},
+      {"motion.swing", "Motion", "Swing about the handle selected last", {}, [](const Editor& e) { return has_frames(e) && (has_several(e) || e.motion().swings()); }, call<&Motion::toggle_swing>, [](const Editor& e) { return e.motion().swings(); }},
+      {"motion.onion_skin", "Motion", "Outlines of the keys before and after", {{Key::u, kNone}}, has_time_line, call<&Motion::toggle_onion_skin>, [](const Editor& e) { return e.motion().has_onion_skin(); }},
   };
 }
 
@@ -282,7 +324,7 @@ std::vector<Command> view_commands() {
 std::vector<Command> command_table() {
   std::vector<Command> table;
   for (const auto& part :
-       {file_commands(), edit_commands(), handle_commands(), solve_commands(), view_commands()})
+       {file_commands(), edit_commands(), handle_commands(), solve_commands(), motion_commands(), view_commands()})
     table.insert(table.end(), part.begin(), part.end());
   return table;
 }

@@ -92,20 +92,6 @@ std::shared_ptr<const Snapshot> pose_of(const MeshPair& mesh, const Shape& origi
   return pose;
 }
 
-std::shared_ptr<const Snapshot> adopted_pose(const std::shared_ptr<const Snapshot>& snapshot,
-                                             const Snapshot& previous) {
-  const bool same_triangles = is_equal(snapshot->triangles, previous.triangles);
-  const bool same_rest = is_equal(snapshot->rest, previous.rest);
-  auto pose = std::make_shared<Snapshot>(*snapshot);
-  if (same_rest) pose->rest = previous.rest;
-  if (same_triangles) {
-    pose->triangles = previous.triangles;
-    pose->flipped_edges = previous.flipped_edges;
-  }
-  if (same_triangles && same_rest) pose->revision = previous.revision;
-  return pose;
-}
-
 std::shared_ptr<const Snapshot> with_looks_of(const Document& document,
                                               std::shared_ptr<const Snapshot> pose) {
   std::vector<Handle> handles = pose->handles;

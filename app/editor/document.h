@@ -12,6 +12,7 @@
 #include "core/mesh/mesh_pair.h"
 #include "core/mesh/shape.h"
 #include "core/method/method.h"
+#include "core/run/adopted_pose.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene.h"
 #include "core/snapshot.h"
@@ -61,10 +62,6 @@ Problem problem_of(const Document& document);
 
 /// A pose made of a mesh pair, with the marks that make it different from `original`.
 std::shared_ptr<const Snapshot> pose_of(const MeshPair& mesh, const Shape& original);
-
-/// A pose that came from the solver; parts that equal those of `previous` are shared with it.
-std::shared_ptr<const Snapshot> adopted_pose(const std::shared_ptr<const Snapshot>& snapshot,
-                                             const Snapshot& previous);
 
 /// A pose whose handles have the names and depths that they have in the document, whenever it was
 /// made: the solver sees neither.

@@ -108,6 +108,7 @@ void Draft::replace(const Document& document) {
 
 void Draft::commit(std::string label) {
   last_change_.reset();
+  if (edit_ && complete_) complete_(edit_->before, document_);
   edit_.reset();
   history_.push(std::move(label), document_);
   messages_.redraw();
@@ -134,7 +135,9 @@ void Draft::edit(std::string label, Document document, Change change) {
 void Draft::edit_again(const std::string& label, Document document, Change change) {
   const double now = messages_.now();
   if (last_change_ && last_change_->label == label && now - last_change_->time < kMergeSeconds) {
+    const Document before = document_;
     apply(std::move(document), change);
+    if (complete_) complete_(before, document_);
     history_.refresh(document_);
   } else {
     edit(label, std::move(document), change);

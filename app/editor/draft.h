@@ -25,9 +25,10 @@ enum class Change {
   mesh         ///< the mesh, or which handles there are
 };
 
-/// An earlier iteration that is looked at in place of the newest state.
+/// An earlier iteration, or a frame of the animation, that is looked at in place of the newest
+/// state.
 struct LookBack {
-  std::size_t iteration = 0;  ///< of Solving::iterations()
+  std::optional<std::size_t> iteration;  ///< of Solving::iterations(); absent: a frame
   std::shared_ptr<const Snapshot> pose;
 };
 
@@ -67,6 +68,11 @@ class Draft {
   /// whether there was one.
   void on_interrupt(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
   bool interrupt() { return interrupt_ && interrupt_(); }
+
+  /// Called with the document before an edit and the one that the edit has made, which it may
+  /// complete before that becomes an undo step.
+  using Completion = std::function<void(const Document&, Document&)>;
+  void on_commit(Completion complete) { complete_ = std::move(complete); }
 
   bool is_editing() const { return edit_.has_value(); }
   /// The document is about to change: what is on screen becomes the newest state.
@@ -119,6 +125,7 @@ class Draft {
   Selection selection_;
   Solving solving_;
   std::function<bool()> interrupt_;
+  Completion complete_;
   std::optional<Edit> edit_;
   std::optional<LastChange> last_change_;  ///< by edit_again()
   bool targets_moved_ = false;             ///< since the solver was told

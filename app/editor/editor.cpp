@@ -15,6 +15,7 @@ Editor::Editor(const EditorOptions& options)
       comparison_(draft_, messages_),
       view_(draft_, comparison_, messages_),
       playback_(draft_, race_, messages_),
+      motion_(draft_, messages_, options.wake),
       edits_(draft_),
       files_({draft_, view_, race_, messages_}, options.state_folder, options.wake),
       stuck_(draft_, messages_),
@@ -35,6 +36,7 @@ bool Editor::update(double now) {
   messages_.tick(now);
   draft_.update();
   playback_.update();
+  if (!race_.is_open()) motion_.update();
   files_.update();
   if (race_.update(now)) messages_.redraw();
   stuck_.update(!playback_.is_solving() && !draft_.is_editing() && !draft_.look_back() &&
@@ -45,7 +47,7 @@ bool Editor::update(double now) {
 std::optional<double> Editor::next_wake() const {
   std::optional<double> next;
   for (const auto& wake : {race_.next_wake(), messages_.next_wake(), files_.autosave().next_wake(),
-                           playback_.next_wake()})
+                           playback_.next_wake(), motion_.next_wake()})
     if (wake) next = std::min(next.value_or(*wake), *wake);
   return next;
 }
@@ -68,9 +70,16 @@ void Editor::escape() {
   if (brush_.is_on()) return brush_.toggle();
   if (playback_.is_solving()) return playback_.stop();
   if (playback_.is_playing()) return playback_.toggle_play();
-  if (draft_.look_back()) return draft_.look_at_newest();
+  if (motion_.is_playing()) return motion_.toggle_play();
+  if (playback_.scrubbed()) return draft_.look_at_newest();
   if (view_.beside() == Beside::kept_pose) return view_.toggle_beside(Beside::kept_pose);
+  if (!motion_.selected().empty()) return motion_.select_none();
   selection().select_none();
+}
+
+Status Editor::status() const {
+  const bool shows_frame = draft_.look_back() && !draft_.look_back()->iteration;
+  return shows_frame ? status_of(motion_) : status_of(draft_);
 }
 
 void Editor::toggle_race() {

@@ -16,6 +16,7 @@
 #include "app/editor/handle_view.h"
 #include "app/editor/keymap.h"
 #include "app/editor/messages.h"
+#include "app/editor/motion.h"
 #include "app/editor/playback.h"
 #include "app/editor/pose_comparison.h"
 #include "app/editor/race.h"
@@ -56,7 +57,7 @@ class Editor {
   bool run_command(std::string_view name);
   /// Stages of Esc: leave import, recovery or race, cancel the gesture, end the
   /// bones that are drawn, put the tool away, stop solving, stop playing, leave the iteration that
-  /// is shown, leave the kept pose beside the canvas, deselect.
+  /// is shown, leave the kept pose beside the canvas, deselect keys, deselect handles.
   void escape();
 
   // Its parts.
@@ -72,6 +73,8 @@ class Editor {
   const CanvasView& view() const { return view_; }
   Playback& playback() { return playback_; }
   const Playback& playback() const { return playback_; }
+  Motion& motion() { return motion_; }
+  const Motion& motion() const { return motion_; }
   PoseComparison& comparison() { return comparison_; }
   const PoseComparison& comparison() const { return comparison_; }
   StiffnessBrush& brush() { return brush_; }
@@ -94,7 +97,7 @@ class Editor {
   /// The mesh on screen, see Draft::shown().
   const std::shared_ptr<const Snapshot>& shown() const { return draft_.shown(); }
   const Canvas& canvas() const { return view_.canvas(); }
-  Status status() const { return status_of(draft_); }
+  Status status() const;
 
   // The race of methods.
 
@@ -112,6 +115,7 @@ class Editor {
   PoseComparison comparison_;
   CanvasView view_;
   Playback playback_;
+  Motion motion_;
   DocumentEdits edits_;
   DocumentFiles files_;
   StuckHelp stuck_;

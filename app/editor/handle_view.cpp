@@ -23,4 +23,8 @@ std::vector<HandleView> handle_views(const Draft& draft) {
   return views;
 }
 
+std::string handle_title(const std::string& name, int vertex) {
+  return name.empty() ? "Vertex " + std::to_string(vertex) : name;
+}
+
 }  // namespace foldless

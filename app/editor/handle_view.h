@@ -28,4 +28,7 @@ struct HandleView {
 /// The handles of the mesh on screen; none when nothing is open.
 std::vector<HandleView> handle_views(const Draft& draft);
 
+/// What lists call a handle: its name, or its vertex where it has none.
+std::string handle_title(const std::string& name, int vertex);
+
 }  // namespace foldless

@@ -7,13 +7,11 @@
 #include "core/mesh/boundary.h"
 
 namespace foldless {
-namespace {
-
-PoseComparison::Outline outline_of(const Snapshot& pose) {
+PoseComparison::Outline PoseComparison::outline_of(const Snapshot& pose) {
   const auto neighbours =
       boundary_neighbours(*pose.triangles, static_cast<int>(pose.deformed.cols()));
   std::vector<bool> is_done(neighbours.size(), false);
-  PoseComparison::Outline outline;
+  Outline outline;
   for (std::size_t v = 0; v < neighbours.size(); ++v) {
     if (is_done[v] || !neighbours[v].are_there()) continue;
     const std::vector<int> loop = boundary_loop(neighbours, static_cast<int>(v));
@@ -22,8 +20,6 @@ PoseComparison::Outline outline_of(const Snapshot& pose) {
   }
   return outline;
 }
-
-}  // namespace
 
 std::shared_ptr<const Snapshot> PoseComparison::kept() const {
   return kept_ && is_of_this_mesh(*kept_) ? kept_->shown : nullptr;

@@ -31,6 +31,8 @@ class PoseComparison {
   /// Adds the outline of what is on screen, or takes it away where it is there.
   void toggle_outline();
   void clear_outlines() { outlines_.clear(); }
+  /// Of any pose.
+  static Outline outline_of(const Snapshot& pose);
   bool has_outlines() const { return !outlines().empty(); }
 
  private:

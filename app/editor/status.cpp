@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/status.h"
-#include <algorithm>
 
 #include <algorithm>
 #include <string>
 
 #include "app/editor/draft.h"
 #include "app/editor/handle_view.h"
+#include "app/editor/motion.h"
 #include "core/method/map_words.h"
 #include "core/method/methods.h"
 
@@ -100,6 +100,21 @@ Status status_of(const Draft& draft) {
   for (const HandleView& handle : handle_views(draft))
     status.residual = std::max(status.residual, handle.residual);
   return status;
+}
+
+Status status_of(const Motion& motion) {
+  const FramesStatus frames = motion.frames().status();
+  const std::string frame = "Frame " + std::to_string(motion.frame());
+  if (!frames.error.empty()) return {StatusKind::failed, frames.error};
+  const auto solved = motion.frames().frame(motion.frame());
+  if (!solved)
+    return {StatusKind::solving, frame + " is not solved yet: " + std::to_string(frames.solved) +
+                                     " of " + std::to_string(frames.count) + " are"};
+  const std::string all = " · " + std::to_string(frames.injective) + " of " +
+                          std::to_string(frames.count) + " frames proved injective";
+  if (solved->is_satisfied) return {StatusKind::converged, frame + ": every handle is there" + all};
+  const std::string why = solved->verdict.empty() ? "" : ": " + solved->verdict;
+  return {StatusKind::blocked, frame + ": some handles are not at their targets" + why + all};
 }
 
 }  // namespace foldless

@@ -6,6 +6,7 @@
 namespace foldless {
 
 class Draft;
+class Motion;
 
 enum class StatusKind { empty, ready, solving, converged, stopped, blocked, paused, failed };
 
@@ -18,5 +19,7 @@ struct Status {
 
 /// How a draft stands.
 Status status_of(const Draft& draft);
+/// How the frame at the play head stands.
+Status status_of(const Motion& motion);
 
 }  // namespace foldless

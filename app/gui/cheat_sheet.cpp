@@ -82,6 +82,7 @@ void draw_cheat_sheet(Editor& editor, const PanelContext& context) {
     draw_gestures(look);
     draw_menu("Handles", keymap, look);
     draw_menu("Solve", keymap, look);
+    draw_menu("Motion", keymap, look);
     ImGui::TableNextColumn();
     draw_menu("File", keymap, look);
     draw_menu("Edit", keymap, look);

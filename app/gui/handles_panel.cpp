@@ -39,10 +39,6 @@ void draw_kind(HandleKind kind, const ImVec2& centre, const Look& look, bool is_
   }
 }
 
-std::string handle_title(const HandleView& handle) {
-  return handle.name.empty() ? "Vertex " + std::to_string(handle.vertex) : handle.name;
-}
-
 /// A field to search the names with, where there are many.
 void draw_search(std::string& text, std::size_t handles) {
   if (handles < kManyHandles) return text.clear();
@@ -60,7 +56,7 @@ void draw_row(const HandleView& handle, Editor& editor, const PanelContext& cont
   const float line = ImGui::GetTextLineHeight();
   draw_kind(handle.kind, {corner.x + look.px(8), corner.y + line / 2}, look, handle.is_at_target);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const std::string name = handle_title(handle);
+  const std::string name = handle_title(handle.name, handle.vertex);
   const std::string residual = residual_words(handle);
   const float width = ImGui::CalcTextSize(residual.c_str()).x;
   const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
@@ -90,7 +86,7 @@ void draw_handles_panel(Editor& editor, const PanelContext& context) {
   std::string& search = context.state.handle_search;
   draw_search(search, handles.size());
   std::erase_if(handles, [&](const HandleView& handle) {
-    return !search.empty() && !matches_filter(handle_title(handle), search);
+    return !search.empty() && !matches_filter(handle_title(handle.name, handle.vertex), search);
   });
   const float most = context.look.px(220);
   begin_rows({0, std::min(rows_height(handles.size(), context.look), most)}, context.look);

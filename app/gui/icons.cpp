@@ -8,12 +8,14 @@
 namespace foldless {
 namespace {
 
-constexpr std::array kIcons{
-    Icon::play, Icon::pause,   Icon::step,       Icon::back,    Icon::first,    Icon::last,
-    Icon::stop, Icon::film,    Icon::up,         Icon::reset,   Icon::pointer,  Icon::brush,
-    Icon::pin,  Icon::turn,    Icon::scale,      Icon::forward, Icon::backward, Icon::remove,
-    Icon::undo, Icon::redo,    Icon::reset_pose, Icon::fit,     Icon::mesh,     Icon::compare,
-    Icon::race, Icon::picture, Icon::bones,      Icon::mirror};
+constexpr std::array kIcons{Icon::play,       Icon::pause,   Icon::step,       Icon::back,
+                            Icon::first,      Icon::last,    Icon::stop,       Icon::film,
+                            Icon::up,         Icon::reset,   Icon::pointer,    Icon::brush,
+                            Icon::pin,        Icon::turn,    Icon::scale,      Icon::forward,
+                            Icon::backward,   Icon::remove,  Icon::undo,       Icon::redo,
+                            Icon::reset_pose, Icon::fit,     Icon::mesh,       Icon::compare,
+                            Icon::race,       Icon::picture, Icon::bones,      Icon::mirror,
+                            Icon::record,     Icon::key,     Icon::onion_skin, Icon::time_line};
 
 std::string utf8(Icon icon) {
   const auto character = static_cast<unsigned>(icon);

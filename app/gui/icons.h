@@ -40,6 +40,10 @@ enum class Icon : ImWchar {
   picture = 0xF2E9,
   bones = 0xF0B9,
   mirror = 0xF61E,
+  record = 0xF44A,
+  key = 0xF30A,
+  onion_skin = 0xF328,
+  time_line = 0xF52F,
 };
 
 /// First and last of each range of characters, ended by 0 as ImGui wants it.

@@ -97,7 +97,7 @@ void KeysDialog::draw_rows(Keymap& keymap, const Look& look) {
   ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, look.px(170));
   ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
   bool has_rows = false;
-  for (const char* menu : {"File", "Edit", "Handles", "Solve", "View", "Help"}) {
+  for (const char* menu : {"File", "Edit", "Handles", "Solve", "Motion", "View", "Help"}) {
     bool has_heading = false;
     for (const KeyRow& row : keymap.rows()) {
       if (row.menu != menu || !matches(row, keymap, search_)) continue;

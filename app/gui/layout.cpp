@@ -10,6 +10,7 @@ namespace {
 constexpr float kMenuBar = 28;
 constexpr float kStatusBar = 25;
 constexpr float kTimeline = 40;
+constexpr float kKeys = 168;
 constexpr float kStrip = 40;
 constexpr float kRuler = 18;
 constexpr float kNarrow = 960;  ///< design pixels under which one panel holds all sections
@@ -54,6 +55,13 @@ Layout layout_for(Extent framebuffer, float scale, SidePanels panels, const Pane
   layout.timeline = {strip + left, canvas_bottom, middle, bottom - canvas_bottom};
   layout.status_bar = {0, bottom, width, height - bottom};
   return layout;
+}
+
+void add_time_line(Layout& layout, float scale) {
+  const float height = std::round(std::min(kKeys * scale, layout.canvas.height / 2));
+  layout.canvas.height -= height;
+  layout.timeline.y -= height;
+  layout.timeline.height += height;
 }
 
 void split_canvas(Layout& layout, float scale) {

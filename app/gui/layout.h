@@ -51,6 +51,9 @@ inline constexpr PanelWidths kNarrowestPanels{200, 260}, kWidestPanels{640, 640}
 Layout layout_for(Extent framebuffer, float scale, SidePanels panels,
                   const PanelWidths& wanted = {});
 
+/// Gives the time line room for keys at the bottom of the canvas.
+void add_time_line(Layout& layout, float scale);
+
 /// Gives the left half of the canvas to the pane beside it.
 void split_canvas(Layout& layout, float scale);
 

@@ -81,7 +81,7 @@ void draw_menu_bar(Editor& editor, const PanelContext& context) {
   ImGui::PopStyleVar();
   if (!is_open) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2{look.px(10), look.px(7)});
-  for (const char* menu : {"File", "Edit", "Handles", "Solve", "View", "Help"}) {
+  for (const char* menu : {"File", "Edit", "Handles", "Solve", "Motion", "View", "Help"}) {
     if (!ImGui::BeginMenu(menu)) continue;
     for (const Command& command : commands())
       if (command.menu == menu) draw_command_item(command, editor);

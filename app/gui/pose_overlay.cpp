@@ -6,7 +6,11 @@
 namespace foldless {
 
 void draw_outlines(const Editor& editor, const CanvasBrush& brush, const Look& look) {
-  const auto outlines = editor.comparison().outlines();
+  auto outlines = editor.comparison().outlines();
+  std::vector<PoseComparison::Outline> neighbours;
+  for (const auto& pose : editor.motion().neighbours())
+    neighbours.push_back(PoseComparison::outline_of(*pose));
+  for (const auto& outline : neighbours) outlines.push_back(&outline);
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     // Later ones stand out more.
     const float age = static_cast<float>(i + 1) / static_cast<float>(outlines.size());

@@ -7,6 +7,7 @@
 #include "app/gui/command_button.h"
 #include "app/gui/panels.h"
 #include "app/gui/short_text.h"
+#include "app/gui/time_line.h"
 #include "app/gui/widgets.h"
 #include "render/theme.h"
 
@@ -19,15 +20,26 @@ void command_icon(const char* name, Icon icon, Editor& editor, const Look& look)
   ImGui::SameLine();
 }
 
+/// The time line is what is moved through.
+bool is_in_motion(const Editor& editor) {
+  return editor.motion().is_open() && !editor.race().is_open() && !editor.document().is_empty();
+}
+
+/// What the button in the middle would stop.
+bool is_going(const Editor& editor) {
+  if (editor.race().is_open()) return editor.race().is_playing();
+  return is_in_motion(editor) ? editor.motion().is_playing() : editor.playback().is_solving();
+}
+
 void draw_transport(Editor& editor, const Look& look) {
   command_icon("solve.first", Icon::first, editor, look);
   command_icon("solve.back", Icon::back, editor, look);
-  const bool is_solving =
-      editor.race().is_open() ? editor.race().is_playing() : editor.playback().is_solving();
   ImGui::BeginDisabled(editor.document().is_empty());
   if (icon_button({.id = "toggle",
-                   .icon = is_solving ? Icon::pause : Icon::play,
-                   .tip = is_solving ? "Pause (Space)" : "Solve (Space)",
+                   .icon = is_going(editor) ? Icon::pause : Icon::play,
+                   .tip = is_going(editor)       ? "Pause (Space)"
+                          : is_in_motion(editor) ? "Play (Space)"
+                                                 : "Solve (Space)",
                    .is_main = true},
                   look))
     editor.run_command("solve.toggle");
@@ -35,6 +47,7 @@ void draw_transport(Editor& editor, const Look& look) {
   ImGui::SameLine();
   command_icon("solve.step", Icon::step, editor, look);
   command_icon("solve.last", Icon::last, editor, look);
+  if (is_in_motion(editor)) return;
   command_icon("solve.stop", Icon::stop, editor, look);
   if (editor.race().is_open()) return;
   command_icon("solve.play", editor.playback().is_playing() ? Icon::pause : Icon::film, editor,
@@ -128,36 +141,46 @@ constexpr ImGuiWindowFlags kTimelineFlags =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+/// Beside the transport: the scrubber, and what goes with it.
+void draw_iterations(Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
+  const bool has_use = editor.playback().scrubbed().has_value();
+  const bool has_pace = ImGui::GetContentRegionAvail().x > look.px(has_use ? 320 : 230);
+  const float right = (has_pace ? look.px(114) : 0) + (has_use ? look.px(82) : 0);
+  const float width = std::max(look.px(40), ImGui::GetContentRegionAvail().x - right);
+  if (editor.race().is_open())
+    draw_race_scrubber(editor, look, width);
+  else
+    draw_scrubber(editor, context, width);
+  if (has_use) {
+    ImGui::SameLine();
+    if (main_button("Use this", look)) editor.run_command("solve.use");
+    tooltip("Go on from this iteration (Enter). One undo step.", look);
+  }
+  if (has_pace) {
+    ImGui::SameLine();
+    draw_pace(editor, look);
+  }
+}
+
 }  // namespace
 
 void draw_timeline_panel(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   const Rectangle& place = context.layout.timeline;
   ImGui::SetNextWindowPos({place.x, place.y});
-  ImGui::SetNextWindowSize({place.width, place.height});
+  ImGui::SetNextWindowSize({place.width, std::min(place.height, look.px(40))});
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{look.px(7), look.px(4)});
   if (ImGui::Begin("##timeline", nullptr, kTimelineFlags)) {
     draw_transport(editor, look);
-    const bool has_use = editor.playback().scrubbed().has_value();
-    const bool has_pace = ImGui::GetContentRegionAvail().x > look.px(has_use ? 320 : 230);
-    const float right = (has_pace ? look.px(114) : 0) + (has_use ? look.px(82) : 0);
-    const float width = std::max(look.px(40), ImGui::GetContentRegionAvail().x - right);
-    if (editor.race().is_open())
-      draw_race_scrubber(editor, look, width);
+    if (is_in_motion(editor))
+      draw_motion_controls(editor, context);
     else
-      draw_scrubber(editor, context, width);
-    if (has_use) {
-      ImGui::SameLine();
-      if (main_button("Use this", look)) editor.run_command("solve.use");
-      tooltip("Go on from this iteration (Enter). One undo step.", look);
-    }
-    if (has_pace) {
-      ImGui::SameLine();
-      draw_pace(editor, look);
-    }
+      draw_iterations(editor, context);
   }
   ImGui::End();
   ImGui::PopStyleVar();
+  if (is_in_motion(editor)) draw_time_line(editor, context);
 }
 
 }  // namespace foldless

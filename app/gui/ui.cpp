@@ -206,6 +206,8 @@ void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   const float scale = p.appearance.look().scale;
   p.state.workspace = workspace_for(p.state.settings, editor);
   p.layout = layout_for(spec.framebuffer, scale, p.panels(editor), p.state.settings.panel_widths);
+  if (editor.motion().is_open() && !has_race && !editor.document().is_empty())
+    add_time_line(p.layout, scale);
   if (editor.view().beside() != Beside::nothing && !has_race) split_canvas(p.layout, scale);
   const bool has_canvas = !editor.document().is_empty() && !has_race && !preview_of(editor);
   if (p.state.settings.shows_rulers && has_canvas) add_rulers(p.layout, scale);

@@ -16,6 +16,7 @@
 #include "app/gui/plot.h"
 #include "app/gui/samples.h"
 #include "app/gui/settings.h"
+#include "app/gui/time_line.h"
 #include "render/distortion.h"
 
 namespace foldless {
@@ -42,6 +43,7 @@ struct UiState {
   std::filesystem::path last_folder;  ///< where the last file was opened or saved
   Modifiers modifiers;                ///< held now
   std::optional<Vec2> pointer;        ///< on the canvas, framebuffer pixels
+  TimeLineState time_line;
   std::string handle_search;          ///< in the list of handles
   std::optional<HeatRange> heat_range;  ///< of the heat map on screen
   std::optional<double> hovered_heat;   ///< its value under the pointer

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/run/adopted_pose.h"
+
 namespace foldless {
 namespace {
 
@@ -18,14 +20,30 @@ class Rounds {
  public:
   Rounds(const Frames& frames, const FramesWanted& wanted) : frames_(frames), wanted_(wanted) {}
 
-  /// One round; frame 0 is solved from `start`, or at rest. In a loop the moment after the last is
-  /// solved too, which closes it.
-  std::optional<SolvedAnimation> go(const Snapshot* start, const std::stop_token& token) {
-    SolvedAnimation round;
-    for (const double moment : wanted_.moments) {
+  /// At rest, or on from what is known.
+  std::optional<SolvedAnimation> first(const std::stop_token& token) {
+    return go({wanted_.known, 0}, nullptr, wanted_.first_round, token);
+  }
+  /// From where the first came to.
+  std::optional<SolvedAnimation> second(const std::stop_token& token) {
+    const Snapshot start = *closing_->snapshot;
+    return go(
+        {}, &start, [](const SolvedFrame&) {}, token);
+  }
+
+ private:
+  /// One round; frame 0 is solved from `start`. In a loop the moment after the last is solved too,
+  /// which closes it.
+  std::optional<SolvedAnimation> go(SolvedAnimation round, const Snapshot* start,
+                                    const std::function<void(const SolvedFrame&)>& visit,
+                                    const std::stop_token& token) {
+    while (round.frames.size() < wanted_.moments.size()) {
+      const double moment = wanted_.moments[round.frames.size()];
       const Snapshot* before = round.frames.empty() ? start : round.frames.back().snapshot.get();
       auto frame = frames_.solve(moment, before, token);
       if (!frame) return std::nullopt;
+      if (before) frame->snapshot = adopted_pose(frame->snapshot, *before);
+      visit(*frame);
       round.frames.push_back(std::move(*frame));
       wanted_.progress(round.frames.size(), wanted_.moments.size());
     }
@@ -37,9 +55,6 @@ class Rounds {
     return round;
   }
 
-  const Snapshot& closing() const { return *closing_->snapshot; }
-
- private:
   const Frames& frames_;
   const FramesWanted& wanted_;
   std::optional<SolvedFrame> closing_;
@@ -50,10 +65,9 @@ class Rounds {
 std::optional<SolvedAnimation> solve_animation(const Frames& frames, const FramesWanted& wanted,
                                                const std::stop_token& token) {
   Rounds rounds(frames, wanted);
-  auto first = rounds.go(nullptr, token);
+  auto first = rounds.first(token);
   if (!first || first->gap <= wanted.tolerance) return first;
-  const Snapshot start = rounds.closing();
-  auto second = rounds.go(&start, token);
+  auto second = rounds.second(token);
   if (!second || second->gap < first->gap) return second;
   return first;
 }

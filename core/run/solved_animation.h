@@ -26,6 +26,9 @@ struct FramesWanted {
   std::vector<double> moments;  ///< ascending, in frames from the start
   double tolerance = 0;         ///< of the gap of a loop [length]
   FrameProgress progress = [](std::size_t, std::size_t) {};
+  std::vector<SolvedFrame> known = {};  ///< the first of them, solved before in a first round
+  /// Told each that is solved in the first round.
+  std::function<void(const SolvedFrame&)> first_round = [](const SolvedFrame&) {};
 };
 
 /// Solves an animation. A loop that does not come back to its first shape within the tolerance is

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/run/worker.h"
 
-#include <sys/resource.h>
-
 #include <utility>
 
+#include "core/run/thread_priority.h"
+
 namespace foldless {
-namespace {
-
-/// Lets the window's thread, and the driver's threads where the processor draws, go first when the
-/// cores are busy: frames are on time and the solver takes the rest. Without effect where refused.
-void give_way_to_the_window() {
-  constexpr id_t kThisThread = 0;
-  constexpr int kNice = 10;
-  setpriority(PRIO_PROCESS, kThisThread, kNice);
-}
-
-}  // namespace
 
 Worker::Worker(std::function<void()> wake, WorkerOptions options)
     : wake_(std::move(wake)),

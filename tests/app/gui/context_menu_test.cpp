@@ -50,7 +50,7 @@ TEST_F(ContextMenus, OnAHandleTakesItAndOffersItsCommands) {
 TEST_F(ContextMenus, OnOneOfSeveralSelectedHandlesIsOfAllOfThem) {
   editor().selection().select({0, 1});
   right_click(on_bar(0.5));
-  choose("Delete handles");
+  choose("Delete handles or keys");
   EXPECT_TRUE(editor().document().handles.empty());
 }
 

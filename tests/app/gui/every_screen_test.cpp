@@ -11,6 +11,7 @@
 #include "app/editor/edits.h"
 #include "app/gui/samples.h"
 #include "app/gui/zoom_menu.h"
+#include "core/data_path.h"
 #include "core/mesh/generate.h"
 #include "tests/app/gui/drawing_defects.h"
 #include "tests/app/gui/headless_editor.h"
@@ -158,6 +159,19 @@ TEST_P(EveryScreen, OfARace) {
   run("race.toggle");
   ASSERT_TRUE(headless_.wait_until([this] { return headless_.editor().race().is_finished(); }));
   headless_.calm_down();
+}
+
+TEST_P(EveryScreen, OfATimeLine) {
+  headless_.editor().files().open_sample(data_path("assets/scenes/walk.json"));
+  ASSERT_TRUE(headless_.wait_until(
+      [this] { return headless_.editor().status().kind == StatusKind::converged; }));
+  for (const Workspace workspace : {Workspace::animate, Workspace::lab}) {
+    headless_.ui().settings().workspace = workspace;
+    run("motion.select_keys");
+    run("motion.onion_skin");
+    headless_.editor().motion().go_to(workspace == Workspace::lab ? 23 : 11);
+    headless_.calm_down();
+  }
 }
 
 TEST_P(EveryScreen, OfAPicture) {

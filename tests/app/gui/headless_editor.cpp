@@ -77,15 +77,15 @@ void HeadlessEditor::send(InputEvent event) {
   settle();
 }
 
-void HeadlessEditor::move(const Vec2& to) { send(PointerMoved{to, {}}); }
+void HeadlessEditor::move(const Vec2& to) { send(PointerMoved{to, held_}); }
 
 void HeadlessEditor::press(const Vec2& at, Button button) {
   move(at);
-  send(PointerPressed{button, at, {}});
+  send(PointerPressed{button, at, held_});
 }
 
 void HeadlessEditor::release(const Vec2& at, Button button) {
-  send(PointerReleased{button, at, {}});
+  send(PointerReleased{button, at, held_});
 }
 
 void HeadlessEditor::click(const Vec2& at) {
@@ -98,6 +98,12 @@ void HeadlessEditor::key(Key key, Modifiers modifiers) {
   send(KeyPressed{key, modifiers, false});
   send(KeyReleased{key});
   ui_.receive(ModifiersHeld{});
+  settle();
+}
+
+void HeadlessEditor::hold(Modifiers modifiers) {
+  held_ = modifiers;
+  ui_.receive(ModifiersHeld{modifiers});
   settle();
 }
 

@@ -46,6 +46,8 @@ class HeadlessEditor {
   void release(const Vec2& at, Button button = Button::left);
   void click(const Vec2& at);
   void key(Key key, Modifiers modifiers = {});
+  /// Keys that stay down until the next call.
+  void hold(Modifiers modifiers);
   void type(std::string_view ascii);
 
   /// Plays the lines of a session after its first, see SessionFile; every event waits until the
@@ -77,6 +79,7 @@ class HeadlessEditor {
   float content_scale_ = 1;
   double time_ = 0;
   int drawn_frames_ = 0;
+  Modifiers held_;
   std::set<std::string> known_defects_;  ///< each is said once
 };
 

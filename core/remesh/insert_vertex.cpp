@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/editor/insert_vertex.h"
+#include "core/remesh/insert_vertex.h"
 
 #include <utility>
 

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/time_line_input.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/editor/editor.h"
+#include "app/gui/command_item.h"
+
+namespace foldless {
+namespace {
+
+using Kind = TimeLineGesture::Kind;
+constexpr const char* kMenu = "##keys menu";
+constexpr std::array kMenuRows{"motion.copy", "motion.paste", "motion.select_keys", "edit.delete"};
+
+bool is_in_row(const KeyPlace& key, const TimeLineRow& row) {
+  return key.handle == row.handle && key.property == row.property;
+}
+
+/// The hand on the time line in one frame.
+class Hand {
+ public:
+  Hand(Editor& editor, TimeLineState& state, const TimeLinePlace& place)
+      : motion_(editor.motion()),
+        editor_(editor),
+        gesture_(state.gesture),
+        state_(state),
+        place_(place),
+        io_(ImGui::GetIO()),
+        rows_(time_line_rows(motion_.animation())) {}
+
+  void act() {
+    scroll();
+    if (ImGui::IsItemActivated() && io_.MouseDown[ImGuiMouseButton_Left]) press();
+    if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) open_menu();
+    if (gesture_.kind != Kind::none && ImGui::IsKeyPressed(ImGuiKey_Escape)) gesture_ = {};
+    if (gesture_.kind == Kind::scrub) motion_.go_to(place_.frame_at(io_.MousePos.x));
+    if (gesture_.kind == Kind::band) select_band();
+    if (gesture_.kind != Kind::none && !io_.MouseDown[ImGuiMouseButton_Left]) release();
+    draw_menu();
+  }
+
+ private:
+  void scroll() {
+    const int most = std::max(0, static_cast<int>(rows_.size()) - place_.rows_in_sight());
+    if (ImGui::IsItemHovered()) state_.first_row -= static_cast<int>(io_.MouseWheel);
+    state_.first_row = std::clamp(state_.first_row, 0, most);
+  }
+
+  /// The keys under the pointer: several in the row of all.
+  Keys keys_under_pointer() const {
+    const float reach = 0.4F * place_.row;
+    const int row = place_.row_at(io_.MousePos.y);
+    Keys found;
+    if (io_.MousePos.y < place_.area.y + place_.ruler || row >= static_cast<int>(rows_.size()))
+      return found;
+    std::optional<int> frame;
+    for (const KeyPlace& key : keys_of(motion_.animation())) {
+      if (row >= 0 && !is_in_row(key, rows_[static_cast<std::size_t>(row)])) continue;
+      const float distance = std::abs(place_.x_of(key.frame) - io_.MousePos.x);
+      if (distance > reach) continue;
+      if (!frame || distance < std::abs(place_.x_of(*frame) - io_.MousePos.x)) {
+        frame = key.frame;
+        found.clear();
+      }
+      if (key.frame == *frame) found.insert(key);
+    }
+    return found;
+  }
+
+  void press() {
+    gesture_ = {};
+    gesture_.start = io_.MousePos;
+    if (io_.MousePos.y < place_.area.y + place_.ruler) {
+      gesture_.kind = Kind::scrub;
+      return motion_.stop();
+    }
+    const Keys under = keys_under_pointer();
+    if (under.empty()) return press_on_nothing();
+    const bool is_selected = std::ranges::includes(motion_.selected(), under);
+    if (io_.KeyShift)
+      toggle(under, is_selected);
+    else if (!is_selected)
+      motion_.select(under);
+    if (motion_.selected().empty()) return;
+    gesture_.kind = io_.KeyAlt ? Kind::stretch : Kind::keys;
+    gesture_.grabbed_frame = under.begin()->frame;
+    const auto [low, high] = std::ranges::minmax_element(motion_.selected(), {}, &KeyPlace::frame);
+    const bool is_nearer_to_low =
+        gesture_.grabbed_frame - low->frame < high->frame - gesture_.grabbed_frame;
+    gesture_.fixed_frame = is_nearer_to_low ? high->frame : low->frame;
+  }
+
+  void toggle(const Keys& keys, bool is_selected) {
+    Keys selected = motion_.selected();
+    for (const KeyPlace& key : keys)
+      if (is_selected)
+        selected.erase(key);
+      else
+        selected.insert(key);
+    motion_.select(selected);
+  }
+
+  void press_on_nothing() {
+    const int row = place_.row_at(io_.MousePos.y);
+    const bool has_row = row >= 0 && row < static_cast<int>(rows_.size());
+    if (has_row && io_.MousePos.x < place_.area.x + place_.labels)
+      return editor_.selection().select({rows_[static_cast<std::size_t>(row)].handle});
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+      motion_.go_to(place_.frame_at(io_.MousePos.x));
+      if (has_row) editor_.selection().select({rows_[static_cast<std::size_t>(row)].handle});
+      return motion_.key_handles();
+    }
+    if (io_.KeyShift) gesture_.before = motion_.selected();
+    gesture_.kind = Kind::band;
+  }
+
+  void select_band() {
+    Keys selected = gesture_.before;
+    const auto [left, right] = std::minmax(gesture_.start.x, io_.MousePos.x);
+    const auto [top, bottom] = std::minmax(gesture_.start.y, io_.MousePos.y);
+    for (const KeyPlace& key : keys_of(motion_.animation())) {
+      const auto row =
+          std::ranges::find_if(rows_, [&](const TimeLineRow& r) { return is_in_row(key, r); });
+      const float x = place_.x_of(key.frame);
+      const float y = place_.y_of(static_cast<int>(row - rows_.begin()));
+      const auto is_inside = [&](float height) { return top <= height && height <= bottom; };
+      if (left <= x && x <= right && (is_inside(y) || is_inside(place_.y_of_all())))
+        selected.insert(key);
+    }
+    motion_.select(selected);
+  }
+
+  /// A click that pulled nothing leaves the one key that it was on selected.
+  void release() {
+    const TimeLineGesture done = std::exchange(gesture_, {});
+    const auto to = pulled_frame(done, place_);
+    if (!to) return;
+    if (to(done.grabbed_frame) != done.grabbed_frame)
+      motion_.move_selected(to, done.kind == Kind::keys && io_.KeyCtrl);
+  }
+
+  void open_menu() {
+    const Keys under = keys_under_pointer();
+    if (!under.empty() && !std::ranges::includes(motion_.selected(), under)) motion_.select(under);
+    ImGui::OpenPopup(kMenu);
+  }
+
+  void draw_menu() {
+    if (!ImGui::BeginPopup(kMenu)) return;
+    for (const char* name : kMenuRows)
+      if (const Command* command = find_command(name)) draw_command_item(*command, editor_);
+    ImGui::Separator();
+    for (const NamedEasing& row : easings())
+      if (ImGui::MenuItem(title_of(row).c_str(), nullptr, false, !motion_.selected().empty()))
+        motion_.set_easing(row.easing);
+    ImGui::EndPopup();
+  }
+
+  Motion& motion_;
+  Editor& editor_;
+  TimeLineGesture& gesture_;
+  TimeLineState& state_;
+  const TimeLinePlace& place_;
+  const ImGuiIO& io_;
+  std::vector<TimeLineRow> rows_;
+};
+
+}  // namespace
+
+std::function<int(int)> pulled_frame(const TimeLineGesture& gesture, const TimeLinePlace& place) {
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  const int by = place.frame_at(pointer.x) - place.frame_at(gesture.start.x);
+  if (gesture.kind == Kind::keys) return [by](int frame) { return frame + by; };
+  if (gesture.kind != Kind::stretch) return {};
+  const int fixed = gesture.fixed_frame, length = gesture.grabbed_frame - fixed;
+  if (length == 0) return {};
+  return [by, fixed, length](int frame) {
+    const double factor = static_cast<double>(length + by) / length;
+    return fixed + static_cast<int>(std::lround((frame - fixed) * factor));
+  };
+}
+
+void handle_time_line(Editor& editor, TimeLineState& state, const TimeLinePlace& place) {
+  Hand(editor, state, place).act();
+}
+
+}  // namespace foldless

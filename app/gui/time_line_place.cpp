@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/time_line_place.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foldless {
+namespace {
+
+// Design pixels.
+constexpr float kTransportRow = 40, kRowNames = 124, kBesideFrames = 12, kFrameNumbers = 22,
+                kKeyRow = 18;
+
+}  // namespace
+
+std::vector<TimeLineRow> time_line_rows(const Animation& animation) {
+  std::vector<TimeLineRow> rows;
+  for (const HandleTracks& tracks : animation.tracks)
+    for (const KeyedProperty property : kKeyedProperties)
+      if (has_keys(animation, tracks.handle, property)) rows.push_back({tracks.handle, property});
+  return rows;
+}
+
+int TimeLinePlace::frame_at(float x) const {
+  const float share = (x - left()) / std::max(1.0F, width());
+  return std::clamp(static_cast<int>(std::lround(share * static_cast<float>(last))), 0, last);
+}
+
+int TimeLinePlace::row_at(float y) const {
+  return static_cast<int>(std::floor((y - area.y - ruler) / row)) - 1 + first_row;
+}
+
+int TimeLinePlace::rows_in_sight() const {
+  return std::max(1, static_cast<int>((area.height - ruler) / row) - 1);
+}
+
+TimeLinePlace time_line_place(const Rectangle& timeline, float scale, const Cycle& cycle,
+                              int first_row) {
+  TimeLinePlace place;
+  const float top = std::round(kTransportRow * scale);
+  place.area = {timeline.x, timeline.y + top, timeline.width, timeline.height - top};
+  place.labels = kRowNames * scale;
+  place.margin = kBesideFrames * scale;
+  place.ruler = kFrameNumbers * scale;
+  place.row = kKeyRow * scale;
+  place.last = std::max(1, last_key_frame(cycle));
+  place.first_row = first_row;
+  return place;
+}
+
+}  // namespace foldless

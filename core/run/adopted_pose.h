@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "core/snapshot.h"
+
+namespace foldless {
+
+/// A snapshot whose large parts are shared with another where they are equal.
+std::shared_ptr<const Snapshot> adopted_pose(const std::shared_ptr<const Snapshot>& snapshot,
+                                             const Snapshot& previous);
+
+}  // namespace foldless
