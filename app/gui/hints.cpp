@@ -44,6 +44,9 @@ std::string hint_words(const Editor& editor, const Modifiers& modifiers) {
   if (editor.selection().hovered())
     return "Drag to bend" + key_hint(editor, "edit.delete", "removes what is selected") +
            " · Shift adds";
+  if (editor.motion().is_open())
+    return "A handle that is dragged gets a key here" + key_hint(editor, "solve.toggle", "plays") +
+           " · diamonds: drag moves, Ctrl copies, Alt stretches";
   if (is_mirror_on(editor))
     return "Mirror: handles come in pairs and move in pairs · drag the axis by its ends" +
            key_hint(editor, "mirror.toggle", "ends");

@@ -32,6 +32,7 @@ bool is_going(const Editor& editor) {
 }
 
 void draw_transport(Editor& editor, const Look& look) {
+  if (!editor.race().is_open()) command_icon("motion.toggle", Icon::time_line, editor, look);
   command_icon("solve.first", Icon::first, editor, look);
   command_icon("solve.back", Icon::back, editor, look);
   ImGui::BeginDisabled(editor.document().is_empty());

@@ -44,7 +44,7 @@ struct UiState {
   Modifiers modifiers;                ///< held now
   std::optional<Vec2> pointer;        ///< on the canvas, framebuffer pixels
   TimeLineState time_line;
-  std::string handle_search;          ///< in the list of handles
+  std::string handle_search;            ///< in the list of handles
   std::optional<HeatRange> heat_range;  ///< of the heat map on screen
   std::optional<double> hovered_heat;   ///< its value under the pointer
 };
