@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include <functional>
 #include <set>
+#include <tuple>
 
 #include "core/handle.h"
 #include "core/motion/animation.h"
@@ -21,7 +21,10 @@ struct KeyPlace {
   KeyedProperty property = KeyedProperty::position;
   int frame = 0;
 
-  auto operator<=>(const KeyPlace&) const = default;
+  bool operator==(const KeyPlace&) const = default;
+  bool operator<(const KeyPlace& other) const {
+    return std::tie(handle, property, frame) < std::tie(other.handle, other.property, other.frame);
+  }
 };
 using Keys = std::set<KeyPlace>;
 

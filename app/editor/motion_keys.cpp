@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the time line changes keys.
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/editor/motion.h"
@@ -90,7 +91,8 @@ void Motion::key_handles() {
 void Motion::select(const Keys& keys) {
   Keys present;
   const Keys all = keys.empty() ? Keys() : keys_of(animation());
-  std::ranges::set_intersection(keys, all, std::inserter(present, present.end()));
+  std::set_intersection(keys.begin(), keys.end(), all.begin(), all.end(),
+                        std::inserter(present, present.end()));
   if (present == selected_) return;
   selected_ = std::move(present);
   messages_.redraw();

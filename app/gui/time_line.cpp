@@ -159,8 +159,10 @@ class TimeLineDrawing {
 
   void draw_hint() {
     const float y = place_.y_of(0) - ImGui::GetTextLineHeight() / 2;
+    const std::string words =
+        "Put the play head where a pose should be, then move handles: they get keys.";
     list_.AddText({place_.left(), y}, packed(look_.palette->dim),
-                  "Put the play head where a pose should be, then move handles: they get keys.");
+                  elided(words, place_.width()).c_str());
   }
 
   Editor& editor_;

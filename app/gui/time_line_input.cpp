@@ -73,6 +73,11 @@ class Hand {
     return found;
   }
 
+  bool is_selected(const Keys& keys) const {
+    const Keys& selected = motion_.selected();
+    return std::includes(selected.begin(), selected.end(), keys.begin(), keys.end());
+  }
+
   void press() {
     gesture_ = {};
     gesture_.start = io_.MousePos;
@@ -82,10 +87,10 @@ class Hand {
     }
     const Keys under = keys_under_pointer();
     if (under.empty()) return press_on_nothing();
-    const bool is_selected = std::ranges::includes(motion_.selected(), under);
+    const bool was_selected = is_selected(under);
     if (io_.KeyShift)
-      toggle(under, is_selected);
-    else if (!is_selected)
+      toggle(under, was_selected);
+    else if (!was_selected)
       motion_.select(under);
     if (motion_.selected().empty()) return;
     gesture_.kind = io_.KeyAlt ? Kind::stretch : Kind::keys;
@@ -96,10 +101,10 @@ class Hand {
     gesture_.fixed_frame = is_nearer_to_low ? high->frame : low->frame;
   }
 
-  void toggle(const Keys& keys, bool is_selected) {
+  void toggle(const Keys& keys, bool were_selected) {
     Keys selected = motion_.selected();
     for (const KeyPlace& key : keys)
-      if (is_selected)
+      if (were_selected)
         selected.erase(key);
       else
         selected.insert(key);
@@ -122,8 +127,9 @@ class Hand {
 
   void select_band() {
     Keys selected = gesture_.before;
-    const auto [left, right] = std::minmax(gesture_.start.x, io_.MousePos.x);
-    const auto [top, bottom] = std::minmax(gesture_.start.y, io_.MousePos.y);
+    const ImVec2 from = gesture_.start, to = io_.MousePos;
+    const float left = std::min(from.x, to.x), right = std::max(from.x, to.x);
+    const float top = std::min(from.y, to.y), bottom = std::max(from.y, to.y);
     for (const KeyPlace& key : keys_of(motion_.animation())) {
       const auto row =
           std::ranges::find_if(rows_, [&](const TimeLineRow& r) { return is_in_row(key, r); });
@@ -147,7 +153,7 @@ class Hand {
 
   void open_menu() {
     const Keys under = keys_under_pointer();
-    if (!under.empty() && !std::ranges::includes(motion_.selected(), under)) motion_.select(under);
+    if (!under.empty() && !is_selected(under)) motion_.select(under);
     ImGui::OpenPopup(kMenu);
   }
 

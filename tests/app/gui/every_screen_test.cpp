@@ -132,6 +132,9 @@ TEST_P(EveryScreen, OfADocument) {
     run("select.all");
     wait_for_the_solver();
     run("select.none");
+    run("motion.toggle");  // without keys
+    headless_.calm_down();
+    run("motion.toggle");
     for (const char* dialog :
          {"file.save_as", "file.export", "file.texture", "help.search", "help.keys"})
       look_at(dialog);

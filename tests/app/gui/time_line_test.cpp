@@ -184,6 +184,7 @@ TEST_F(TimeLine, MarksFramesThatAreNotReached) {
   document.parameters.method = "paper";
   document.parameters.alpha = 1e-6;  // handles pull hardly
   headless_.editor().draft().edit("Weak handles", document, Change::appearance);
+  headless_.settle();
   headless_.wait_until([&] { return motion().frames().status().is_done; });
   headless_.settle();
   ASSERT_FALSE(motion().frames().frame(10)->is_satisfied);
