@@ -67,6 +67,10 @@ void Draft::refresh_shown() {
 void Draft::begin_edit() {
   history_.refresh(document_);
   edit_ = Edit{document_, solving_.is_running()};
+  take_over_look_back();
+}
+
+void Draft::take_over_look_back() {
   if (!look_back_) return;
   if (look_back_->pose->is_valid()) {
     document_.handles = look_back_->pose->handles;

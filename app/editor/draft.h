@@ -104,6 +104,8 @@ class Draft {
   const std::optional<LookBack>& look_back() const { return look_back_; }
   void look_at(LookBack iteration);
   void look_at_newest();
+  /// What is looked at becomes the newest state, without an undo step; a map that folds does not.
+  void take_over_look_back();
 
  private:
   struct Edit {

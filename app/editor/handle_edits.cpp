@@ -30,6 +30,11 @@ void shift_depth(Editor& editor, const char* label, double by) {
   });
 }
 
+/// As they are on screen, where an earlier iteration or a frame may be looked at.
+const std::vector<Handle>& shown_handles(const Editor& editor) {
+  return editor.shown() ? editor.shown()->handles : editor.document().handles;
+}
+
 double nudge_length(const Editor& editor) {
   const Canvas& canvas = editor.canvas();
   const Modifiers& modifiers = editor.input().modifiers();
@@ -42,7 +47,7 @@ double nudge_length(const Editor& editor) {
 
 SelectedHandles selected_handles(const Editor& editor) {
   SelectedHandles selected;
-  for (const Handle& handle : editor.document().handles) {
+  for (const Handle& handle : shown_handles(editor)) {
     if (!editor.selection().ids().contains(handle.id)) continue;
     const bool is_first = !std::exchange(selected.are_there, true);
     agree(selected.kind, handle.kind, is_first);
@@ -63,7 +68,7 @@ SelectedHandles selected_handles(const Editor& editor) {
 
 std::vector<Target> selected_targets(const Editor& editor) {
   std::vector<Target> targets;
-  for (const Handle& handle : editor.document().handles) {
+  for (const Handle& handle : shown_handles(editor)) {
     if (!editor.selection().ids().contains(handle.id)) continue;
     targets.push_back({handle.id, handle.target});
     if (handle.turn) targets.back().angle = handle.turn->angle;
@@ -105,9 +110,9 @@ void set_coordinate(Editor& editor, int axis, double value) {
   if (!std::isfinite(value)) return;
   editor.draft().interrupt();
   std::vector<Target> targets = selected_targets(editor);
+  const auto is_there = [&](const Target& target) { return target.position[axis] == value; };
+  if (std::ranges::all_of(targets, is_there)) return;
   for (Target& target : targets) target.position[axis] = value;
-  const Document moved = with_targets(editor.document(), targets);
-  if (moved.handles == editor.document().handles) return;
   editor.playback().use_iteration();  // what is looked at is what is moved
   editor.draft().solving().clear_timeline();
   editor.draft().edit(

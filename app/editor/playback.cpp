@@ -102,6 +102,7 @@ void Playback::use_iteration() {
   if (!draft_.look_back()) return;
   if (!draft_.look_back()->pose->is_valid())
     return messages_.toast(ToastKind::error, "This iteration is folded; choose one that is not");
+  if (!scrubbed()) return draft_.take_over_look_back();
   const std::string label = "Use iteration " + std::to_string(*scrubbed() + 1);
   draft_.begin_edit();
   Document document = draft_.document();

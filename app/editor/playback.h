@@ -37,7 +37,8 @@ class Playback {
   void step_back();     ///< the iteration before; pauses first when solving
   void first();
   void last();
-  void use_iteration();  ///< makes what is shown the newest state, an undo step
+  /// Makes what is shown the newest state: of an iteration an undo step.
+  void use_iteration();
 
   /// Plays the iterations from the one that is shown, from the first at the end; or stops. At the
   /// pace, or kFullSpeed a second.

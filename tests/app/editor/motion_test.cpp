@@ -259,6 +259,40 @@ TEST_F(EditorMotion, TellsOfFramesThatAreNotReached) {
   EXPECT_TRUE(editor_->draft().proof().holds());
 }
 
+TEST_F(EditorMotion, FieldsAreOfTheFrameAndSetAKeyThere) {
+  animate();
+  motion().go_to(4);
+  frame();
+  editor_->selection().select({ids_[2]});
+  const auto& track = animation().tracks[0].position;
+  const Vec2 middle = (track[0].value + track[1].value) / 2;
+  EXPECT_NEAR(*selected_handles(*editor_).y, middle.y(), 1e-12);
+  set_coordinate(*editor_, 0, middle.x() + 0.25);
+  frame();
+  ASSERT_EQ(key_frames(), (std::vector{0, 4, 8}));
+  EXPECT_NEAR((animation().tracks[0].position[1].value - middle - Vec2(0.25, 0)).norm(), 0, 1e-12);
+}
+
+TEST_F(EditorMotion, NudgesAtAFrameAreOneStepAndOneKey) {
+  animate();
+  motion().go_to(4);
+  frame();
+  editor_->selection().select({ids_[2]});
+  const Vec2 before = editor_->shown()->handles.back().target;
+  const std::size_t steps = editor_->draft().history().steps().size();
+  for (int i = 0; i < 3; ++i) {
+    key(Key::right);
+    solve_all();
+  }
+  EXPECT_EQ(editor_->draft().history().steps().size(), steps + 1);
+  ASSERT_EQ(key_frames(), (std::vector{0, 4, 8}));
+  const Vec2 way = animation().tracks[0].position[1].value - before;
+  EXPECT_GT(way.x(), 0);
+  EXPECT_NEAR(way.y(), 0, 1e-12);
+  editor_->draft().undo();
+  EXPECT_EQ(key_frames(), (std::vector{0, 8}));
+}
+
 TEST_F(EditorMotion, ClosedItShowsTheNewestStateAndSetsNoKeys) {
   animate();
   key(Key::t);
