@@ -1,88 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time line without its window.
+// The time line without its window: frames and the play head.
 #include "app/editor/motion.h"
 
 #include "app/editor/handle_edits.h"
-#include "tests/app/editor/editor_fixture.h"
+#include "tests/app/editor/motion_fixture.h"
 
 namespace foldless::test {
 namespace {
 
 constexpr Modifiers kAlt{.alt = true};
-
-/// A grid that is held in three places, with the time line open and twelve frames.
-class EditorMotion : public EditorTest {
- protected:
-  void SetUp() override {
-    EditorTest::SetUp();
-    open_grid(9);
-    for (const int vertex : {0, 8, 76}) ids_.push_back(place(vertex));
-    settle();
-    key(Key::t);
-    ASSERT_EQ(editor_->document().handles.size(), 3U);
-    motion().set_cycle({12, false});
-    frame();
-  }
-
-  Motion& motion() { return editor_->motion(); }
-  const Animation& animation() { return motion().animation(); }
-  /// Drags a handle as a person does, in the canvas.
-  void drag_handle(int id, const Vec2& by) {
-    const Vec2 from = pixel_of(shown_at(id));
-    drag(from, from + by);
-    frame();
-  }
-  Vec2 shown_at(int id) {
-    const int vertex = find_handle(editor_->document(), id)->vertex;
-    return editor_->shown()->deformed.col(vertex);
-  }
-  void solve_all() {
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(120);
-    frame();
-    while (!motion().frames().status().is_done) {
-      ASSERT_LT(std::chrono::steady_clock::now(), give_up) << motion().frames().status().error;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      frame();
-    }
-    frame();
-  }
-  /// A handle that goes up from frame 0 to frame 8.
-  void animate() {
-    motion().go_to(8);
-    frame();
-    drag_handle(ids_[2], {0, -40});
-    solve_all();
-  }
-  std::vector<int> key_frames() {
-    std::vector<int> frames;
-    for (const KeyPlace& key : keys_of(animation())) frames.push_back(key.frame);
-    return frames;
-  }
-
-  std::vector<int> ids_;
-};
-
-TEST_F(EditorMotion, AMovedHandleGetsAKeyAndOneAtTheStart) {
-  const Vec2 before = target(ids_[2]);
-  animate();
-  ASSERT_EQ(animation().tracks.size(), 1U);
-  const auto& track = animation().tracks[0].position;
-  ASSERT_EQ(track.size(), 2U);
-  EXPECT_EQ(track[0].frame, 0);
-  EXPECT_EQ(track[0].value, before);
-  EXPECT_EQ(track[1].frame, 8);
-  EXPECT_GT((track[1].value - before).norm(), 0.01);
-}
-
-TEST_F(EditorMotion, ADragAndItsKeyAreOneUndoStep) {
-  const std::size_t steps = editor_->draft().history().steps().size();
-  motion().go_to(8);
-  frame();
-  drag_handle(ids_[2], {0, -40});
-  EXPECT_EQ(editor_->draft().history().steps().size(), steps + 1);
-  editor_->draft().undo();
-  EXPECT_TRUE(keys_of(animation()).empty());
-}
 
 TEST_F(EditorMotion, ShowsTheFrameAtThePlayHeadAndItsTargets) {
   animate();
@@ -101,31 +27,6 @@ TEST_F(EditorMotion, ShowsTheFrameAtThePlayHeadAndItsTargets) {
                              editor_->shown()->deformed));
     EXPECT_TRUE(editor_->draft().proof().holds());
   }
-}
-
-TEST_F(EditorMotion, AnEditGoesOnFromTheFrame) {
-  animate();
-  motion().go_to(4);
-  frame();
-  const Points shown = editor_->shown()->deformed;
-  const Vec2 at = pixel_of(shown_at(ids_[2]));
-  press(at);
-  move(at + Vec2(6, 0));
-  EXPECT_EQ(editor_->document().pose->deformed, shown);
-  release(at + Vec2(6, 0));
-  EXPECT_EQ(key_frames(), (std::vector{0, 4, 8}));
-}
-
-TEST_F(EditorMotion, AHandleWithoutKeysMovesInAllFramesWhereNothingIsRecorded) {
-  animate();
-  key(Key::i, kShift);
-  EXPECT_FALSE(motion().records());
-  motion().go_to(4);
-  frame();
-  drag_handle(ids_[0], {-20, 0});
-  EXPECT_EQ(key_frames(), (std::vector{0, 8}));
-  drag_handle(ids_[2], {-20, 0});
-  EXPECT_EQ(key_frames(), (std::vector{0, 4, 8})) << "that has keys, and gets one more";
 }
 
 TEST_F(EditorMotion, MovingAKeySolvesOnlyWhatFollowsIt) {
@@ -196,45 +97,6 @@ TEST_F(EditorMotion, KeysOfTheKeyboardMoveThePlayHead) {
   EXPECT_EQ(motion().frame(), 11);
 }
 
-TEST_F(EditorMotion, KeysAreSetCopiedPastedAndDeletedByTheKeyboard) {
-  editor_->selection().select({ids_[1]});
-  motion().go_to(3);
-  key(Key::i);
-  EXPECT_EQ(keys_of(animation()), (Keys{{ids_[1], KeyedProperty::position, 3}}));
-  motion().select(keys_of(animation()));
-  key(Key::c, kControl);
-  motion().go_to(9);
-  key(Key::v, kControl);
-  EXPECT_EQ(key_frames(), (std::vector{3, 9}));
-  EXPECT_EQ(motion().selected(), (Keys{{ids_[1], KeyedProperty::position, 9}}));
-  key(Key::del);
-  EXPECT_EQ(key_frames(), std::vector{3});
-  EXPECT_EQ(editor_->document().handles.size(), 3U) << "keys went, not handles";
-  editor_->draft().undo();
-  EXPECT_EQ(key_frames(), (std::vector{3, 9}));
-}
-
-TEST_F(EditorMotion, EasingPathsAndSwingAreSteps) {
-  animate();
-  motion().select(keys_of(animation()));
-  motion().set_easing(*find_easing("both"));
-  EXPECT_EQ(animation().tracks[0].position[0].easing, *find_easing("both"));
-  editor_->selection().select({ids_[2]});
-  editor_->run_command("motion.smooth");
-  EXPECT_TRUE(animation().tracks[0].is_smooth);
-  editor_->selection().select({ids_[2]});
-  editor_->selection().select({ids_[2], ids_[0]});
-  editor_->run_command("motion.swing");
-  ASSERT_EQ(animation().groups.size(), 1U);
-  EXPECT_EQ(animation().groups[0].handles, std::vector{ids_[2]});
-  EXPECT_EQ(animation().groups[0].center, target(ids_[0]));
-  editor_->run_command("motion.swing");
-  EXPECT_TRUE(animation().groups.empty());
-  for (int i = 0; i < 4; ++i) editor_->draft().undo();
-  EXPECT_FALSE(animation().tracks[0].is_smooth);
-  EXPECT_EQ(animation().tracks[0].position[0].easing, Easing{});
-}
-
 TEST_F(EditorMotion, OutlinesAreOfTheKeysBeforeAndAfter) {
   animate();
   motion().go_to(4);
@@ -257,40 +119,6 @@ TEST_F(EditorMotion, TellsOfFramesThatAreNotReached) {
   solve_all();
   EXPECT_EQ(editor_->status().kind, StatusKind::blocked) << editor_->status().words;
   EXPECT_TRUE(editor_->draft().proof().holds());
-}
-
-TEST_F(EditorMotion, FieldsAreOfTheFrameAndSetAKeyThere) {
-  animate();
-  motion().go_to(4);
-  frame();
-  editor_->selection().select({ids_[2]});
-  const auto& track = animation().tracks[0].position;
-  const Vec2 middle = (track[0].value + track[1].value) / 2;
-  EXPECT_NEAR(*selected_handles(*editor_).y, middle.y(), 1e-12);
-  set_coordinate(*editor_, 0, middle.x() + 0.25);
-  frame();
-  ASSERT_EQ(key_frames(), (std::vector{0, 4, 8}));
-  EXPECT_NEAR((animation().tracks[0].position[1].value - middle - Vec2(0.25, 0)).norm(), 0, 1e-12);
-}
-
-TEST_F(EditorMotion, NudgesAtAFrameAreOneStepAndOneKey) {
-  animate();
-  motion().go_to(4);
-  frame();
-  editor_->selection().select({ids_[2]});
-  const Vec2 before = editor_->shown()->handles.back().target;
-  const std::size_t steps = editor_->draft().history().steps().size();
-  for (int i = 0; i < 3; ++i) {
-    key(Key::right);
-    solve_all();
-  }
-  EXPECT_EQ(editor_->draft().history().steps().size(), steps + 1);
-  ASSERT_EQ(key_frames(), (std::vector{0, 4, 8}));
-  const Vec2 way = animation().tracks[0].position[1].value - before;
-  EXPECT_GT(way.x(), 0);
-  EXPECT_NEAR(way.y(), 0, 1e-12);
-  editor_->draft().undo();
-  EXPECT_EQ(key_frames(), (std::vector{0, 8}));
 }
 
 TEST_F(EditorMotion, ClosedItShowsTheNewestStateAndSetsNoKeys) {
