@@ -92,8 +92,8 @@ class Animate {
   int run() {
     const double fps = call_.fps.value_or(scene_.animation->fps);
     const auto progress = [&](std::size_t done, std::size_t count) { show("solved", done, count); };
-    auto solved =
-        solve_animation(frames_, {moments_to_solve(fps), closing_tolerance(), progress}, token_);
+    auto solved = solve_animation(
+        frames_, {moments_to_solve(fps), closing_tolerance(scene_.rest), progress}, token_);
     if (!solved) return kExitInterrupted;
     gap_ = solved->gap;
     solved_ = std::move(solved->frames);
@@ -102,13 +102,6 @@ class Animate {
   }
 
  private:
-  /// A quarter of a pixel of a picture of the usual size. [length]
-  double closing_tolerance() const {
-    const Points& rest = scene_.rest;
-    const Vec2 sides = rest.rowwise().maxCoeff() - rest.rowwise().minCoeff();
-    return 0.25 / kPixels * sides.maxCoeff();
-  }
-
   std::vector<double> moments_to_solve(double fps) const {
     const Animation& animation = *scene_.animation;
     if (animation.cycle.frames / animation.fps * fps > kMostFrames)

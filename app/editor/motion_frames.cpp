@@ -9,9 +9,6 @@
 namespace foldless {
 namespace {
 
-/// A loop closes well enough within a quarter of a pixel of a picture of so many. [pixels]
-constexpr double kPixels = 1024;
-
 /// Without what the solver does not see, so that a change of it solves nothing anew.
 AnimationToSolve animation_to_solve(const Document& document) {
   const Shape& original = *document.original;
@@ -29,8 +26,7 @@ AnimationToSolve animation_to_solve(const Document& document) {
                     OriginalMesh{std::shared_ptr<const Triangles>(document.original,
                                                                   &document.original->triangles),
                                  static_cast<int>(original.rest.cols())}};
-  const Vec2 sides = original.rest.rowwise().maxCoeff() - original.rest.rowwise().minCoeff();
-  wanted.tolerance = 0.25 / kPixels * sides.maxCoeff();
+  wanted.tolerance = closing_tolerance(original.rest);
   return wanted;
 }
 

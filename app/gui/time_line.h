@@ -24,7 +24,7 @@ struct TimeLineGesture {
   Kind kind = Kind::none;
   ImVec2 start{0, 0};     ///< pixels of the window
   int grabbed_frame = 0;  ///< where what is pulled was
-  int fixed_frame = 0;    ///< of a stretch: what stays
+  int low = 0, high = 0;  ///< the first and the last frame of the selected keys
   Keys before = {};       ///< selected when a band began that adds
 };
 

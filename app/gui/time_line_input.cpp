@@ -96,9 +96,8 @@ class Hand {
     gesture_.kind = io_.KeyAlt ? Kind::stretch : Kind::keys;
     gesture_.grabbed_frame = under.begin()->frame;
     const auto [low, high] = std::ranges::minmax_element(motion_.selected(), {}, &KeyPlace::frame);
-    const bool is_nearer_to_low =
-        gesture_.grabbed_frame - low->frame < high->frame - gesture_.grabbed_frame;
-    gesture_.fixed_frame = is_nearer_to_low ? high->frame : low->frame;
+    gesture_.low = low->frame;
+    gesture_.high = high->frame;
   }
 
   void toggle(const Keys& keys, bool were_selected) {
@@ -182,9 +181,14 @@ class Hand {
 std::function<int(int)> pulled_frame(const TimeLineGesture& gesture, const TimeLinePlace& place) {
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const int by = place.frame_at(pointer.x) - place.frame_at(gesture.start.x);
-  if (gesture.kind == Kind::keys) return [by](int frame) { return frame + by; };
+  const int low = gesture.low, high = gesture.high, grabbed = gesture.grabbed_frame;
+  if (gesture.kind == Kind::keys) {
+    // All of them stay within the cycle, and so none takes the place of another.
+    const int possible = std::clamp(by, -low, place.last - high);
+    return [possible](int frame) { return frame + possible; };
+  }
   if (gesture.kind != Kind::stretch) return {};
-  const int fixed = gesture.fixed_frame, length = gesture.grabbed_frame - fixed;
+  const int fixed = grabbed - low < high - grabbed ? high : low, length = grabbed - fixed;
   if (length == 0) return {};
   return [by, fixed, length](int frame) {
     const double factor = static_cast<double>(length + by) / length;

@@ -72,6 +72,11 @@ std::optional<SolvedAnimation> solve_animation(const Frames& frames, const Frame
   return first;
 }
 
+double closing_tolerance(const Points& rest) {
+  const Vec2 sides = rest.rowwise().maxCoeff() - rest.rowwise().minCoeff();
+  return 0.25 / 1024 * sides.maxCoeff();
+}
+
 std::vector<double> moments_of(const Animation& animation, double fps) {
   const Cycle& cycle = animation.cycle;
   const double step = animation.fps / fps;

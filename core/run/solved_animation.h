@@ -37,6 +37,10 @@ struct FramesWanted {
 std::optional<SolvedAnimation> solve_animation(const Frames& frames, const FramesWanted& wanted,
                                                const std::stop_token& token);
 
+/// How far a loop may be from its first shape: a quarter of a pixel of a picture of the usual size,
+/// 1024 along the longer side of the drawing. [length]
+double closing_tolerance(const Points& rest);
+
 /// The moments at which an animation is seen with so many frames a second.
 std::vector<double> moments_of(const Animation& animation, double fps);
 

@@ -117,6 +117,14 @@ TEST_F(TimeLine, SeveralKeysAreSelectedByABandAndMovedTogether) {
   EXPECT_EQ(key_frames(), (std::vector{0, 12, 22}));
 }
 
+TEST_F(TimeLine, KeysThatArePulledOverTheEndKeepTheirDistance) {
+  drag(at(8) + Vec2(0, -6), at(22) + Vec2(0, 6));
+  drag(at(10), at(24));
+  EXPECT_EQ(key_frames(), (std::vector{0, 14, 24}));
+  drag(at(24), at(0));
+  EXPECT_EQ(key_frames(), (std::vector{0, 10})) << "the key that was at frame 0 is covered";
+}
+
 TEST_F(TimeLine, TheRowOfAllMovesWhatIsInAFrame) {
   drag(at(20, -1), at(24, -1));
   EXPECT_EQ(key_frames(), (std::vector{0, 10, 24}));
