@@ -26,6 +26,7 @@ std::string_view name_of(Phase phase) {
     case Phase::construct: return "construct";
     case Phase::settle: return "settle";
     case Phase::coarse: return "coarse";
+    case Phase::whitened: return "whitened";
   }
   return "";
 }

@@ -81,11 +81,6 @@ Steps<> open_up(Workspace& work, const Energy& energy) {
   }
 }
 
-bool is_feasible(const Workspace& work) {
-  const Points& u = work.mesh.deformed();
-  return work.system.objective().is_feasible(work.settings->energy, u, u);
-}
-
 }  // namespace constructing
 
 Steps<Progress> construct(Workspace& work, const MeshPair& start,
@@ -110,7 +105,7 @@ Steps<Progress> construct(Workspace& work, const MeshPair& start,
     other.refine();
     co_await open_up(other, opening);
   }
-  if (!is_feasible(other)) co_return Progress::locked;
+  if (!other.is_feasible()) co_return Progress::locked;
   Progress progress = Progress::arrived;
   if (other.error() > 0) progress = co_await pursue(other);
   if (progress == Progress::locked) progress = co_await approach(other, FactorUse::lagged);

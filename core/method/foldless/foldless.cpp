@@ -15,6 +15,7 @@
 #include "core/method/foldless/pursue.h"
 #include "core/method/foldless/tidy.h"
 #include "core/method/foldless/transport_plans.h"
+#include "core/method/foldless/whitened_problem.h"
 #include "core/method/satisfied.h"
 #include "core/multires/prolong.h"
 
@@ -59,12 +60,12 @@ RunSettings settings_of(const Problem& problem) {
   return settings;
 }
 
-/// A step of the run on the coarse mesh.
-struct CoarseStep {
+/// A step of a run on another problem.
+struct InnerStep {
   std::optional<Iteration> record;
   bool cancelled = false;
 };
-bool is_cancelled(const CoarseStep& step) { return step.cancelled; }
+bool is_cancelled(const InnerStep& step) { return step.cancelled; }
 
 /// Coarsening a large mesh takes long; it is done again with the next step when it was cancelled.
 struct Coarsening {
@@ -106,6 +107,7 @@ Steps<Outcome> Foldless::solve(Start start) {
     progress = co_await approach(work_, FactorUse::lagged, legs_of(work_));
   }
   if (progress == Progress::locked && is_proved_infeasible()) co_return Outcome::infeasible;
+  if (progress == Progress::locked && !is_drag) progress = co_await solve_whitened();
   if (progress == Progress::locked && !is_plain) {
     work_.set_mesh(problem_.mesh);
     progress = co_await approach(work_, FactorUse::lagged);
@@ -161,24 +163,44 @@ Steps<> Foldless::coarse_to_fine() {
   co_await vertex_update(coarsen);
   if (!coarse) co_return;
   Foldless run(coarse->problem, dense_);
-  const Effort before = effort();
-  const auto next = [&run](const std::stop_token& token) {
-    const std::optional<Iteration> record = run.step(token);
-    return driver::CoarseStep{record, !record && !run.outcome()};
-  };
-  while (!run.outcome()) {
-    driver::CoarseStep step = co_await vertex_update(next);
-    effort() = before + run.effort();
-    if (!step.record) break;
-    step.record->phase = Phase::coarse;
-    co_yield *step.record;
-  }
+  co_await run_inside(run, Phase::coarse);
   if (run.outcome() != Outcome::gradient) co_return;
   std::optional<ProlongedMesh> fine =
       prolonged({run.mesh(), coarse->vertices}, work_.mesh, settings_.energy);
   if (!fine) co_return;
   effort().flips += fine->flips;
   work_.set_mesh(std::move(fine->mesh));
+}
+
+Steps<> Foldless::run_inside(Foldless& run, Phase phase) {
+  const Effort before = effort();
+  const auto next = [&run](const std::stop_token& token) {
+    const std::optional<Iteration> record = run.step(token);
+    return driver::InnerStep{record, !record && !run.outcome()};
+  };
+  while (!run.outcome()) {
+    driver::InnerStep step = co_await vertex_update(next);
+    effort() = before + run.effort();
+    if (!step.record) break;
+    step.record->phase = phase;
+    co_yield *step.record;
+  }
+}
+
+// Where triangles are far longer than wide, as the linear map that makes the mesh round sees them.
+Steps<Progress> Foldless::solve_whitened() {
+  const std::optional<WhitenedProblem> whitened = whitened_problem(problem_);
+  if (!whitened) co_return Progress::locked;
+  Foldless run(whitened->problem, dense_);
+  co_await run_inside(run, Phase::whitened);
+  if (run.outcome() != Outcome::gradient) co_return Progress::locked;
+  std::optional<MeshPair> mesh = without_whitening(run.mesh(), whitened->map, problem_);
+  if (!mesh) co_return Progress::locked;
+  Workspace other = work_;
+  other.set_mesh(*std::move(mesh));
+  if (!other.is_feasible()) co_return Progress::locked;
+  work_ = std::move(other);
+  co_return Progress::arrived;
 }
 
 // The paper's splits, while a round gains a tenth.

@@ -30,6 +30,11 @@ Workspace::Workspace(MeshPair start, Constraints handles, const RunSettings& run
 
 Energy Workspace::held_energy() const { return {settings->energy, held(constraints)}; }
 
+bool Workspace::is_feasible() const {
+  const Points& u = mesh.deformed();
+  return system.objective().is_feasible(settings->energy, u, u);
+}
+
 int Workspace::flip_edges(const EnergySettings& energy, double least_gain) {
   int flipped = 0;
   {

@@ -45,6 +45,8 @@ struct Workspace {
   Energy held_energy() const;
   /// ‖P(u)‖².
   double error() const { return handle_error_squared(constraints, mesh.deformed()); }
+  /// Whether the map is in the feasible set of the scene's energy.
+  bool is_feasible() const;
   /// Where the handles are, 2 × #handles.
   Points handles() const { return handle_positions(constraints, mesh.deformed()); }
 
