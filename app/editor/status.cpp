@@ -16,7 +16,8 @@ namespace {
 /// What `foldless` does where handles are locked, while the best mesh stays on show.
 std::string locked_words(const Iteration& last) {
   if (last.phase == Phase::transport) return ": handles are locked, trying a way round";
-  if (last.phase == Phase::whitened) return ": handles are locked, trying a rounder picture of the mesh";
+  if (last.phase == Phase::whitened)
+    return ": handles are locked, trying a rounder picture of the mesh";
   if (last.phase == Phase::approach && last.outer > 0)
     return ": handles are locked, edges were split";
   return {};

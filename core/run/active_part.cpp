@@ -2,6 +2,7 @@
 #include "core/run/active_part.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "core/mesh/components.h"
@@ -47,6 +48,18 @@ Places places(const std::vector<bool>& is_active, int part_count) {
   return places;
 }
 
+/// `part`: the index in the part of every vertex, −1 for those that are idle.
+OriginalMesh original_of_part(const OriginalMesh& original, const std::vector<int>& part) {
+  const auto index = [&part](int v) { return part[at(v)]; };
+  Triangles triangles(3, original.triangles->cols());
+  Eigen::Index count = 0;
+  for (const auto& t : original.triangles->colwise())
+    if (index(t[0]) >= 0) triangles.col(count++) = t.unaryExpr(index);
+  const auto vertices = static_cast<int>(
+      std::count_if(part.begin(), part.begin() + original.vertices, [](int v) { return v >= 0; }));
+  return {std::make_shared<const Triangles>(triangles.leftCols(count)), vertices};
+}
+
 }  // namespace
 
 ActivePart::ActivePart(const MeshPair& whole, const std::vector<Handle>& handles)
@@ -81,9 +94,7 @@ Problem ActivePart::of(const Problem& problem) const {
                       problem.mesh.deformed()(Eigen::all, whole));
   cut.mesh.set_stiffness(problem.mesh.stiffness());
   for (Handle& handle : cut.handles) handle.vertex = part[at(handle.vertex)];
-  if (cut.original)
-    cut.original->vertices = static_cast<int>(
-        std::ranges::count_if(whole, [&](int v) { return v < problem.original->vertices; }));
+  if (cut.original) cut.original = original_of_part(*problem.original, part);
   return cut;
 }
 

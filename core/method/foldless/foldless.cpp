@@ -10,6 +10,7 @@
 #include "core/method/foldless/candidates.h"
 #include "core/method/foldless/common_motion.h"
 #include "core/method/foldless/construct.h"
+#include "core/method/foldless/go_back.h"
 #include "core/method/foldless/infeasible.h"
 #include "core/method/foldless/legs.h"
 #include "core/method/foldless/pursue.h"
@@ -82,6 +83,7 @@ Foldless::Foldless(const Problem& problem, const CoarseSettings& dense)
       work_(problem_.mesh, constraints_of(problem_.handles), settings_, effort()),
       regions_(prescribed_regions(problem_.mesh, work_.constraints)) {
   settings_.fixed_boundary = boundary_vertices(regions_, work_.constraints);
+  original_ = original_triangles(problem_, settings_.first_removable);
   begin(solve(Start::problem));
 }
 
@@ -133,6 +135,7 @@ Steps<Outcome> Foldless::solve(Start start) {
   }
 
   co_await tidy(work_);
+  if (is_drag && original_) co_await go_back(work_, *original_);
   if (!is_drag) co_await try_candidates();
   if (!is_drag) co_await uncrush(ways);
   co_return Outcome::gradient;

@@ -63,6 +63,7 @@ class Foldless final : public SteppedMethod {
   RunSettings settings_;
   Workspace work_;
   std::vector<PrescribedRegion> regions_;
+  std::optional<Triangles> original_;  ///< what drags go back to
   std::string verdict_;
 };
 

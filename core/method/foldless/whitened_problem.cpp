@@ -39,10 +39,9 @@ std::optional<WhitenedProblem> whitened_problem(const Problem& problem) {
   if (!(deviation[0] > 0) || deviation[1] < kLeastAnisotropy * deviation[0]) return std::nullopt;
   Mat2 map = eigen.eigenvectors() * deviation.cwiseInverse().asDiagonal() *
              eigen.eigenvectors().transpose();
-  map *= bounding_box_diagonal(problem.mesh.rest()) /
-         bounding_box_diagonal(map * problem.mesh.rest());
-  MeshPair mesh(problem.mesh.triangles(), map * problem.mesh.rest(),
-                map * problem.mesh.deformed());
+  map *=
+      bounding_box_diagonal(problem.mesh.rest()) / bounding_box_diagonal(map * problem.mesh.rest());
+  MeshPair mesh(problem.mesh.triangles(), map * problem.mesh.rest(), map * problem.mesh.deformed());
   if (!is_injective(mesh.triangles(), mesh.rest(), mesh.deformed())) return std::nullopt;
   WhitenedProblem whitened{
       {std::move(mesh), problem.energy, problem.handles, problem.parameters, problem.original},

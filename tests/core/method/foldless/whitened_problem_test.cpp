@@ -13,8 +13,8 @@ namespace {
 Problem under(Mat2 map, const Problem& problem) {
   map /= bounding_box_diagonal(map * problem.mesh.rest());
   Problem mapped = problem;
-  mapped.mesh = MeshPair(problem.mesh.triangles(), map * problem.mesh.rest(),
-                         map * problem.mesh.deformed());
+  mapped.mesh =
+      MeshPair(problem.mesh.triangles(), map * problem.mesh.rest(), map * problem.mesh.deformed());
   for (Handle& handle : mapped.handles) handle.target = map * handle.target;
   return mapped;
 }
