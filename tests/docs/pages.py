@@ -4,9 +4,11 @@
 
   pages.py TREE                      README is short, says what it has to, and moves; tables say where they are from
   pages.py TREE --regenerate PROGRAM runs small parts of the suites: the same columns, rows, sizes and version
+  pages.py TREE --contract PROGRAM   docs/formats.md tells every key of a report and every column that is written
   pages.py --self-test               shows that each rule of the first kind can fail
 """
 
+import json
 import pathlib
 import re
 import subprocess
@@ -114,6 +116,28 @@ def regeneration_problems(tree, program):
     return problems
 
 
+def written_names(tree, program):
+    """Keys of a report, of its numbers and of its parts, and columns of iterations and of bench."""
+    with tempfile.TemporaryDirectory() as folder:
+        scene, out = str(tree / "assets/scenes/figure1_blocked_edge.json"), pathlib.Path(folder)
+        subprocess.run([program, "solve", scene, "-o", str(out / "solved"), "--quiet"], check=True)
+        subprocess.run([program, "bench", scene, "--method", "foldless", "-o", str(out / "bench")], check=True,
+                       stdout=subprocess.DEVNULL)
+        report = json.loads((out / "solved/report.json").read_text(encoding="utf-8"))
+        names = [*report]
+        for part in ("parameters", "energy", "conformal_distortion", "seconds"):
+            names += report[part]
+        for table in ("solved/iterations.csv", "bench/results.csv"):
+            names += (out / table).read_text(encoding="utf-8").split("\n", 1)[0].split(",")
+        return names
+
+
+def contract_problems(told, names):
+    """Names that the page does not have in backticks."""
+    known = set(re.findall(r"`([^`\n]+)`", told))
+    return [f"docs/formats.md does not tell of '{name}'" for name in names if name not in known]
+
+
 def made_tree(folder, change=lambda readme, benchmarks: (readme, benchmarks), picture=b"RIFF....WEBPANMF"):
     """A good tree, or one that is spoilt."""
     tree = pathlib.Path(folder)
@@ -150,6 +174,8 @@ def self_test():
         for what, picture in {"does not move": b"RIFF....WEBPVP8L", "bytes": b"ANMF" * 400_000}.items():
             if not any(what in problem for problem in readme_problems(made_tree(folder, picture=picture))):
                 failures.append(f"accepted a picture that {what}")
+    if contract_problems("`a` b `c`", ["a", "c"]) or len(contract_problems("`a` b", ["a", "b"])) != 1:
+        failures.append("takes a name for told that is not")
     return failures
 
 
@@ -161,6 +187,10 @@ def main(arguments):
         problems = readme_problems(tree) + block_problems(tree)
     elif len(arguments) == 3 and arguments[1] == "--regenerate":
         problems = regeneration_problems(pathlib.Path(arguments[0]), arguments[2])
+    elif len(arguments) == 3 and arguments[1] == "--contract":
+        tree = pathlib.Path(arguments[0])
+        told = (tree / "docs/formats.md").read_text(encoding="utf-8")
+        problems = contract_problems(told, written_names(tree, arguments[2]))
     else:
         print(__doc__, file=sys.stderr)
         return 2
