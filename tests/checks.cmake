@@ -30,6 +30,9 @@ if(NOT FOLDLESS_SANITIZE)
   add_test(NAME Pages.TablesHaveTheColumnsRowsAndVersionThatBenchWrites
            COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py ${PROJECT_SOURCE_DIR}
                    --regenerate $<TARGET_FILE:foldless>)
+  add_test(NAME Pages.CommandsOfReadmeWorkAsPasted
+           COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py ${PROJECT_SOURCE_DIR}
+                   --paste $<TARGET_FILE:foldless>)
   add_test(NAME Pages.TellEveryKeyAndColumnThatIsWritten
            COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py ${PROJECT_SOURCE_DIR}
                    --contract $<TARGET_FILE:foldless>)

@@ -5,6 +5,7 @@
   pages.py TREE                      README is short, says what it has to, and moves; tables say where they are from
   pages.py TREE --regenerate PROGRAM runs small parts of the suites: the same columns, rows, sizes and version
   pages.py TREE --contract PROGRAM   docs/formats.md tells every key of a report and every column that is written
+  pages.py TREE --paste PROGRAM      the commands of README, pasted into a shell, all end with status 0
   pages.py --self-test               shows that each rule of the first kind can fail
 """
 
@@ -138,6 +139,18 @@ def contract_problems(told, names):
     return [f"docs/formats.md does not tell of '{name}'" for name in names if name not in known]
 
 
+def paste_problems(tree, program):
+    """Runs the lines of the section on the command line in a folder with assets and a build."""
+    text = (tree / "README.md").read_text(encoding="utf-8")
+    commands = re.search(r"^## On the command line$.*?^```sh$\n(.*?)^```$", text, re.MULTILINE | re.DOTALL).group(1)
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "build/release").mkdir(parents=True)
+        (pathlib.Path(folder) / "build/release/foldless").symlink_to(pathlib.Path(program).resolve())
+        (pathlib.Path(folder) / "assets").symlink_to((tree / "assets").resolve())
+        ended = subprocess.run(["bash", "-e"], input=commands, cwd=folder, capture_output=True, text=True)
+    return [f"README.md: status {ended.returncode}: {ended.stderr}"] if ended.returncode else []
+
+
 def made_tree(folder, change=lambda readme, benchmarks: (readme, benchmarks), picture=b"RIFF....WEBPANMF"):
     """A good tree, or one that is spoilt."""
     tree = pathlib.Path(folder)
@@ -187,6 +200,8 @@ def main(arguments):
         problems = readme_problems(tree) + block_problems(tree)
     elif len(arguments) == 3 and arguments[1] == "--regenerate":
         problems = regeneration_problems(pathlib.Path(arguments[0]), arguments[2])
+    elif len(arguments) == 3 and arguments[1] == "--paste":
+        problems = paste_problems(pathlib.Path(arguments[0]), arguments[2])
     elif len(arguments) == 3 and arguments[1] == "--contract":
         tree = pathlib.Path(arguments[0])
         told = (tree / "docs/formats.md").read_text(encoding="utf-8")
