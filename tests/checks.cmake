@@ -17,6 +17,27 @@ add_test(NAME PaperTable.ComplainsAboutEachBrokenRow
                  -DTREE=${CMAKE_CURRENT_BINARY_DIR}/paper_table_tree
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/paper_table_self_test.cmake)
 
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME Pages.HaveNoLinkThatLeadsNowhere
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/links.py ${PROJECT_SOURCE_DIR})
+add_test(NAME Pages.EachBrokenLinkIsTold
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/links.py --self-test)
+add_test(NAME Pages.ReadmeIsShortAndTablesSayWhereTheyAreFrom
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py ${PROJECT_SOURCE_DIR})
+add_test(NAME Pages.EachSpoiltPageIsTold
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py --self-test)
+if(NOT FOLDLESS_SANITIZE)
+  add_test(NAME Pages.TablesHaveTheColumnsRowsAndVersionThatBenchWrites
+           COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py ${PROJECT_SOURCE_DIR}
+                   --regenerate $<TARGET_FILE:foldless>)
+  add_test(NAME Pages.CommandsOfReadmeWorkAsPasted
+           COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py ${PROJECT_SOURCE_DIR}
+                   --paste $<TARGET_FILE:foldless>)
+  add_test(NAME Pages.TellEveryKeyAndColumnThatIsWritten
+           COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py ${PROJECT_SOURCE_DIR}
+                   --contract $<TARGET_FILE:foldless>)
+endif()
+
 add_test(NAME GesturesTable.NamesTestsThatAreThere
          COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/gestures_table_test.cmake)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Reads the table of docs/paper.md and fails where a row names a file or a name in it that is not
-# there, or where a step of the paper has no row.
+# Reads the table of steps of docs/method.md and fails where a row names a file or a name in it that
+# is not there, or where a step of the paper has no row.
 #   cmake -DSOURCE_DIR=... -P paper_table_test.cmake
 
 cmake_minimum_required(VERSION 3.25)
@@ -21,6 +21,14 @@ function(cells_of row out)
   string(REGEX REPLACE "^\\||\\|[ \t]*$" "" row "${row}")
   string(REPLACE "|" ";" cells "${row}")
   set(${out} "${cells}" PARENT_SCOPE)
+endfunction()
+
+# linked(CELL OUT): the path in backticks in the cell, if that is all that stands there and it is a link to the file.
+function(linked cell out)
+  set(${out} "" PARENT_SCOPE)
+  if(cell MATCHES "^[ \t]*<`([^` \t]+)`>\\(\\.\\./([^) \t]+)\\)[ \t]*$" AND CMAKE_MATCH_1 STREQUAL CMAKE_MATCH_2)
+    set(${out} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+  endif()
 endfunction()
 
 # quoted(CELL OUT): what stands in backticks in the cell, if that is all that stands there.
@@ -48,10 +56,10 @@ function(check_row step cells)
   else()
     list(GET cells 2 path)
     list(GET cells 3 name)
-    quoted("${path}" path)
+    linked("${path}" path)
     quoted("${name}" name)
     if(NOT path)
-      complain("${step}" "has no path in backticks")
+      complain("${step}" "has no link to a path in backticks")
     elseif(NOT name MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
       complain("${step}" "has no name in backticks")
     elseif(NOT EXISTS ${SOURCE_DIR}/${path} OR IS_DIRECTORY ${SOURCE_DIR}/${path})
@@ -66,9 +74,18 @@ function(check_row step cells)
   set(COMPLAINTS "${COMPLAINTS}" PARENT_SCOPE)
 endfunction()
 
-file(READ ${SOURCE_DIR}/docs/paper.md page)
+# The table ends with the first line that is no row.
+file(READ ${SOURCE_DIR}/docs/method.md page)
+string(FIND "${page}" "\n| ${HEADER} |" begin)
+if(begin EQUAL -1)
+  message(FATAL_ERROR "docs/method.md has no table of steps: '| ${HEADER} |' begins it")
+endif()
+string(SUBSTRING "${page}" ${begin} -1 page)
+string(REGEX REPLACE "\n[^|].*|\n\n.*" "" page "${page}\n\n")
 # What lists of CMake would trip over.
-string(REGEX REPLACE "[][;\r\\]" " " page "\n${page}")
+string(REPLACE "[" "<" page "${page}")
+string(REPLACE "]" ">" page "${page}")
+string(REGEX REPLACE "[;\r\\]" " " page "${page}")
 string(REGEX MATCHALL "\n[|][^\n]*" rows "${page}")
 set(found_steps "")
 foreach(row IN LISTS rows)
@@ -93,5 +110,5 @@ foreach(step IN LISTS STEPS)
 endforeach()
 
 if(COMPLAINTS)
-  message(FATAL_ERROR "docs/paper.md does not go with the sources:${COMPLAINTS}")
+  message(FATAL_ERROR "docs/method.md does not go with the sources:${COMPLAINTS}")
 endif()

@@ -28,7 +28,7 @@ struct DensityDerivatives {
 struct Density {
   std::string_view name;       ///< word in scene files and on the command line
   std::string_view title;      ///< words for the interface
-  std::string_view citation;   ///< key of the README's bibliography
+  std::string_view citation;   ///< key of docs/bibliography.md
   double default_beta;         ///< β when the scene gives none (paper, section 5)
   bool paper_sums_unweighted;  ///< paper and [SKPSH13] sum ψ without the area A_t
   double (*value)(const Mat2& J);

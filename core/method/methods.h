@@ -15,7 +15,7 @@ namespace foldless {
 struct MethodRow {
   std::string_view name;      ///< word in scene files and on the command line
   std::string_view title;     ///< words for the interface
-  std::string_view citation;  ///< key of the README's bibliography
+  std::string_view citation;  ///< key of docs/bibliography.md
   std::unique_ptr<Method> (*start)(
       const Problem& problem);  ///< problem: rest diagonal about 1, see Run
   /// Meshes of the method may be folded or wind twice round a vertex, by its nature: they are

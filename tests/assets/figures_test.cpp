@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the paper's figures claim, on the samples made for them. Where a claim does not hold here
-// the README says so.
+// docs/paper.md says so.
 #include <gtest/gtest.h>
 
 #include <cmath>

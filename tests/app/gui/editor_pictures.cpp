@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the whole editor, drawn off screen: editor_pictures FOLDER [IMAGE]
 // With an image, only those of its way to a pose.
-// The README's picture comes from here; the others are for looking at after a change.
+// They are for looking at after a change; those of docs/images are of screen_pictures.cpp.
 #include <cstdlib>
 #include <exception>
 #include <filesystem>

@@ -1,0 +1,217 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks README and the tables of docs/benchmarks.md.
+
+  pages.py TREE                      README is short, says what it has to, and moves; tables say where they are from
+  pages.py TREE --regenerate PROGRAM runs small parts of the suites: the same columns, rows, sizes and version
+  pages.py TREE --contract PROGRAM   docs/formats.md tells every key of a report and every column that is written
+  pages.py TREE --paste PROGRAM      the commands of README, pasted into a shell, all end with status 0
+  pages.py --self-test               shows that each rule of the first kind can fail
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+MOST_LINES, MOST_WORDS, MOST_PICTURE_BYTES = 150, 1200, 1_500_000
+DEFINITION = (
+    "A map is **locally injective** when in the mesh at rest and in the deformed one every triangle is "
+    "counter-clockwise, the triangles round every interior vertex cover it once, and the angles at every "
+    "boundary vertex add up to less than a full turn.")
+SECTIONS = ("Two commands", "Three pictures", "What sets it apart", "On the command line", "From Python", "From C++",
+            "Results", "Links")
+SUITES = ("paper", "random", "large", "drags")
+ORIGIN = re.compile(r"^\*(?P<date>\d{4}-\d\d-\d\d) · (?P<machine>.+, \d+ cores) · (?P<version>foldless \S+) · "
+                    r"`foldless bench (?P<arguments>--suite [^`]+)`\*$", re.MULTILINE)
+
+
+def readme_problems(tree):
+    text = (tree / "README.md").read_text(encoding="utf-8")
+    lines, words = text.count("\n"), len(text.split())
+    problems = []
+    if lines > MOST_LINES:
+        problems.append(f"README.md has {lines} lines, more than {MOST_LINES}")
+    if words > MOST_WORDS:
+        problems.append(f"README.md has {words} words, more than {MOST_WORDS}")
+    if DEFINITION not in " ".join(text.split()):
+        problems.append("README.md has lost its definition of locally injective")
+    if tuple(re.findall(r"^## (.*)$", text, re.MULTILINE)) != SECTIONS:
+        problems.append(f"README.md has other sections than {', '.join(SECTIONS)}")
+    return problems + picture_problems(tree, text)
+
+
+def picture_problems(tree, text):
+    first = re.search(r"!\[[^\]]*\]\(([^)]+)\)", text)
+    picture = tree / first.group(1) if first else None
+    if not picture or not picture.is_file():
+        return ["README.md begins with no picture"]
+    data = picture.read_bytes()
+    if b"ANMF" not in data[:4096]:
+        return [f"{first.group(1)} does not move"]
+    return [f"{first.group(1)} has {len(data)} bytes"] if len(data) > MOST_PICTURE_BYTES else []
+
+
+def block(tree, suite):
+    """What scripts/benchmarks wrote of a suite, or None."""
+    text = (tree / "docs/benchmarks.md").read_text(encoding="utf-8")
+    found = re.search(rf"^<!-- begin {suite} -->$\n(.*?)^<!-- end {suite} -->$", text, re.MULTILINE | re.DOTALL)
+    return found.group(1) if found else None
+
+
+def table_of(text):
+    """The rows of the first table, lists of cells, without the line under the titles."""
+    rows = [[cell.strip() for cell in line.strip("|").split("|")]
+            for line in re.search(r"(?:^\|.*\n?)+", text, re.MULTILINE).group().splitlines()]
+    return rows[:1] + rows[2:]
+
+
+def block_problems(tree):
+    problems = []
+    for suite in SUITES:
+        text = block(tree, suite)
+        if text is None:
+            problems.append(f"docs/benchmarks.md has no markers of {suite}")
+        elif not ORIGIN.search(text):
+            problems.append(f"docs/benchmarks.md: {suite} does not say date, machine, version and command")
+        elif not re.search(r"^\|[-| ]+\|\n\|", text, re.MULTILINE):
+            problems.append(f"docs/benchmarks.md: {suite} has no table")
+    return problems
+
+
+def regenerated(program, arguments):
+    """The table that bench makes now."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "out"
+        subprocess.run([program, "bench", *arguments, "-o", str(out)], check=True, stdout=subprocess.DEVNULL)
+        name = "table1.md" if (out / "table1.md").exists() else "summary.md"
+        return table_of((out / name).read_text(encoding="utf-8"))
+
+
+# A part of each suite that takes no time, and how many cells at the left do not depend on the machine.
+PARTS = (("paper", ["--suite", "paper", "--only", "5", "--method", "paper-flip,foldless"], 4),
+         ("random", ["--suite", "random", "--seed", "701", "--only", "0", "--method", "foldless,paper-flip"], 1),
+         ("drags", ["--suite", "drag", "--only", "0", "--method", "foldless"], 3))
+
+
+def regeneration_problems(tree, program):
+    version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout.strip()
+    problems = []
+    for suite, arguments, names in PARTS:
+        text = block(tree, suite)
+        if ORIGIN.search(text).group("version") != version:
+            problems.append(f"{suite} is of {ORIGIN.search(text).group('version')}, this is {version}: "
+                            f"run scripts/benchmarks {suite}")
+        written, new = table_of(text), regenerated(program, arguments)
+        if written[0] != new[0]:
+            problems.append(f"{suite}: docs/benchmarks.md has the columns {written[0]}, bench writes {new[0]}")
+        known = {tuple(row[:names]) for row in written[1:]}
+        problems += [f"{suite}: docs/benchmarks.md has no row {row[:names]}"
+                     for row in new[1:] if tuple(row[:names]) not in known]
+        problems += [f"{suite}: a row of docs/benchmarks.md has {len(row)} cells: {row}"
+                     for row in written[1:] if len(row) != len(new[0])]
+        if len(new) < 2:
+            problems.append(f"{suite}: bench {' '.join(arguments)} writes no row")
+    return problems
+
+
+def written_names(tree, program):
+    """Keys of a report, of its numbers and of its parts, and columns of iterations and of bench."""
+    with tempfile.TemporaryDirectory() as folder:
+        scene, out = str(tree / "assets/scenes/figure1_blocked_edge.json"), pathlib.Path(folder)
+        subprocess.run([program, "solve", scene, "-o", str(out / "solved"), "--quiet"], check=True)
+        subprocess.run([program, "bench", scene, "--method", "foldless", "-o", str(out / "bench")], check=True,
+                       stdout=subprocess.DEVNULL)
+        report = json.loads((out / "solved/report.json").read_text(encoding="utf-8"))
+        names = [*report]
+        for part in ("parameters", "energy", "conformal_distortion", "seconds"):
+            names += report[part]
+        for table in ("solved/iterations.csv", "bench/results.csv"):
+            names += (out / table).read_text(encoding="utf-8").split("\n", 1)[0].split(",")
+        return names
+
+
+def contract_problems(told, names):
+    """Names that the page does not have in backticks."""
+    known = set(re.findall(r"`([^`\n]+)`", told))
+    return [f"docs/formats.md does not tell of '{name}'" for name in names if name not in known]
+
+
+def paste_problems(tree, program):
+    """Runs the lines of the section on the command line in a folder with assets and a build."""
+    text = (tree / "README.md").read_text(encoding="utf-8")
+    commands = re.search(r"^## On the command line$.*?^```sh$\n(.*?)^```$", text, re.MULTILINE | re.DOTALL).group(1)
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "build/release").mkdir(parents=True)
+        (pathlib.Path(folder) / "build/release/foldless").symlink_to(pathlib.Path(program).resolve())
+        (pathlib.Path(folder) / "assets").symlink_to((tree / "assets").resolve())
+        ended = subprocess.run(["bash", "-e"], input=commands, cwd=folder, capture_output=True, text=True)
+    return [f"README.md: status {ended.returncode}: {ended.stderr}"] if ended.returncode else []
+
+
+def made_tree(folder, change=lambda readme, benchmarks: (readme, benchmarks), picture=b"RIFF....WEBPANMF"):
+    """A good tree, or one that is spoilt."""
+    tree = pathlib.Path(folder)
+    readme = f"# F\n![x](p.webp)\n{DEFINITION}\n" + "".join(f"## {name}\n" for name in SECTIONS)
+    origin = "*2026-01-31 · AMD, 2 cores · foldless 1.0 · `foldless bench --suite x`*"
+    benchmarks = "".join(f"<!-- begin {suite} -->\n{origin}\n\n| a | b |\n|---|---|\n| 1 | 2 |\n<!-- end {suite} -->\n"
+                         for suite in SUITES)
+    readme, benchmarks = change(readme, benchmarks)
+    (tree / "docs").mkdir(exist_ok=True)
+    (tree / "README.md").write_text(readme, encoding="utf-8")
+    (tree / "docs/benchmarks.md").write_text(benchmarks, encoding="utf-8")
+    (tree / "p.webp").write_bytes(picture)
+    return tree
+
+
+def self_test():
+    spoilt = {
+        "more than 150": lambda r, b: (r + "\n" * 150, b),
+        "more than 1200": lambda r, b: (r + "word " * 1200, b),
+        "lost its definition": lambda r, b: (r.replace("cover it once", "cover it"), b),
+        "other sections": lambda r, b: (r.replace("## Results\n", ""), b),
+        "begins with no picture": lambda r, b: (r.replace("p.webp", "q.webp"), b),
+        "no markers of drags": lambda r, b: (r, b.replace("<!-- end drags -->", "")),
+        "paper does not say date": lambda r, b: (r, b.replace("2026-01-31", "lately")),
+        "large does not say date": lambda r, b: (r, b.replace("foldless 1.0 · ", "")),
+        "has no table": lambda r, b: (r, b.replace("|---|---|\n", ""))}
+    failures = []
+    with tempfile.TemporaryDirectory() as folder:
+        for what, change in {"": lambda r, b: (r, b), **spoilt}.items():
+            tree = made_tree(folder, change)
+            problems = readme_problems(tree) + block_problems(tree)
+            if bool(what) != any(what in problem for problem in problems):
+                failures.append(f"expected '{what}', got {problems}")
+        for what, picture in {"does not move": b"RIFF....WEBPVP8L", "bytes": b"ANMF" * 400_000}.items():
+            if not any(what in problem for problem in readme_problems(made_tree(folder, picture=picture))):
+                failures.append(f"accepted a picture that {what}")
+    if contract_problems("`a` b `c`", ["a", "c"]) or len(contract_problems("`a` b", ["a", "b"])) != 1:
+        failures.append("takes a name for told that is not")
+    return failures
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        problems = self_test()
+    elif len(arguments) == 1:
+        tree = pathlib.Path(arguments[0])
+        problems = readme_problems(tree) + block_problems(tree)
+    elif len(arguments) == 3 and arguments[1] == "--regenerate":
+        problems = regeneration_problems(pathlib.Path(arguments[0]), arguments[2])
+    elif len(arguments) == 3 and arguments[1] == "--paste":
+        problems = paste_problems(pathlib.Path(arguments[0]), arguments[2])
+    elif len(arguments) == 3 and arguments[1] == "--contract":
+        tree = pathlib.Path(arguments[0])
+        told = (tree / "docs/formats.md").read_text(encoding="utf-8")
+        problems = contract_problems(told, written_names(tree, arguments[2]))
+    else:
+        print(__doc__, file=sys.stderr)
+        return 2
+    print(*problems, sep="\n" if problems else "")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
