@@ -42,6 +42,17 @@ add_test(NAME Install.GivesAProgramThatFindsItsData
                  -DPREFIX=${CMAKE_CURRENT_BINARY_DIR}/installed
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/install_test.cmake)
 
+if(NOT FOLDLESS_SANITIZE)
+  add_test(NAME Package.IsFoundAndLeavesOthersAsTheyAre
+           COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR}
+                   -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DCXX=${CMAKE_CXX_COMPILER}
+                   -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/package
+                   -P ${CMAKE_CURRENT_SOURCE_DIR}/package_test.cmake)
+  add_test(NAME Package.DefinesNoSymbolOfOthers
+           COMMAND ${CMAKE_COMMAND} -DLIBRARY=$<TARGET_FILE:foldless_core>
+                   -P ${CMAKE_CURRENT_SOURCE_DIR}/symbols_test.cmake)
+endif()
+
 if(DPKG_QUERY AND NOT FOLDLESS_SANITIZE)
   add_test(NAME Sbom.NamesWhatIsLinkedAndWhatIsCompiledIn
            COMMAND ${PROJECT_SOURCE_DIR}/scripts/sbom $<TARGET_FILE:foldless>)
