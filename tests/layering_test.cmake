@@ -89,6 +89,7 @@ set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|image|layered/layered_image|
 may_include("app/editor/.*" "${EDITOR}")
 may_include("app/export/.*" "${BASE}|<glm/.*>|<cairo(-pdf|-svg)?\\.h>|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
 may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|app/exit_status\\.h|<(glad/gl|imgui.*|GLFW/glfw3|fontconfig/.*)\\.h>")
+may_include("app/python/.*" "${BASE}|<foldless/[a-z]+\\.h>|<pybind11/[a-z0-9/]+\\.h>|core/.*|render/.*|app/(export|python)/.*")
 may_include("app/bench/.*" "${BASE}|core/.*|app/(bench|export)/.*")
 may_include("app/cli/.*" "${BASE}|<CLI/CLI\\.hpp>|<built_with\\.h>|core/.*|render/.*|app/(bench|export)/.*|app/(cli/.*|exit_status\\.h)")
 
@@ -107,9 +108,10 @@ only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(sim
 only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")
 only_in("app/export/vector_[a-z]+\\.(h|cpp)" "<cairo" "cairo belongs to the vector figures")
 only_in("app/cli/subcommands\\.h" "<CLI/" "CLI11 belongs to subcommands.h and who includes it")
-only_in("(core/run|app/(bench|export))/.*"
+only_in("(core/run|app/(bench|export|python))/.*"
         "std::j?thread([^a-z_:]|$)|std::async|pthread_create|#pragma omp"
-        "only core/run, app/bench and app/export start threads")
+        "only core/run, app/bench, app/export and app/python start threads")
+only_in("app/python/.*" "<pybind11/" "pybind11 belongs to app/python")
 
 # 3. Doubles and Eigen meet floats and GLM in two files of the renderer.
 only_in("core/.*|app/.*|render/(mesh|marker)_layer\\.(h|cpp)" "<Eigen/"

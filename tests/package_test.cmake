@@ -26,6 +26,22 @@ run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -DCMAKE_CXX_COMPILER=${C
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer)
 
+# The example of the documentation, as it is pasted.
+function(block_of_page language file)
+  file(READ ${SOURCE_DIR}/docs/library.md page)
+  string(REGEX MATCH "```${language}\n([^`]*)```" found "${page}")
+  file(WRITE ${file} "${CMAKE_MATCH_1}")
+endfunction()
+block_of_page(cpp ${SCRATCH}/example/example.cpp)
+block_of_page(cmake ${SCRATCH}/example/CMakeLists.txt)
+run(${CMAKE_COMMAND} -S ${SCRATCH}/example -B ${SCRATCH}/example/build
+    -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+run(${CMAKE_COMMAND} --build ${SCRATCH}/example/build)
+run(${SCRATCH}/example/build/example)
+if(NOT OUTPUT MATCHES "1\\.5 +1\\.2")
+  message(FATAL_ERROR "the example of docs/library.md prints ${OUTPUT}")
+endif()
+
 # A header names nothing that is not installed with it, Eigen's and the language's apart.
 file(GLOB headers ${SCRATCH}/prefix/include/foldless/*.h)
 list(LENGTH headers count)

@@ -21,6 +21,7 @@ class PointMap {
   Points at(const Points& points) const;
   /// See Result::map(). `coordinates`: 3 × #P.
   Points at(const Eigen::VectorXi& triangles, const Eigen::Matrix3Xd& coordinates) const;
+  const Snapshot& snapshot() const { return *snapshot_; }
 
  private:
   int triangle_at(const Vec2& point) const;
