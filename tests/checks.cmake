@@ -42,6 +42,17 @@ add_test(NAME Install.GivesAProgramThatFindsItsData
                  -DPREFIX=${CMAKE_CURRENT_BINARY_DIR}/installed
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/install_test.cmake)
 
+if(TARGET foldless_words)
+  list(JOIN CPACK_COMPONENTS_ALL "," components)
+  add_test(NAME Install.HasEveryFileInOneComponent
+           COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DCOMPONENTS=${components}
+                   -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/components
+                   -P ${CMAKE_CURRENT_SOURCE_DIR}/components_test.cmake)
+  add_test(NAME WordsOfHelp.AreAManualPageAndACompletion
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/words_of_help_test.sh
+                   ${PROJECT_BINARY_DIR}/words)
+endif()
+
 if(NOT FOLDLESS_SANITIZE)
   add_test(NAME Package.IsFoundAndLeavesOthersAsTheyAre
            COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR}
