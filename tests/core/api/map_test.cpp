@@ -171,6 +171,28 @@ TEST_P(Map, HasParentsThatNameTheOutputVertexOfEveryInputVertex) {
   }
 }
 
+/// Two squares beside each other, the first with the handles.
+Task with_an_idle_square(const Task& first) {
+  Task both = first;
+  const Eigen::Index vertices = first.rest.rows(), faces = first.triangles.rows();
+  both.rest.conservativeResize(2 * vertices, 2);
+  both.rest.bottomRows(vertices) = first.rest.rowwise() + Eigen::RowVector2d(3, 0);
+  both.triangles.conservativeResize(2 * faces, 3);
+  both.triangles.bottomRows(faces) = first.triangles.array() + static_cast<int>(vertices);
+  return both;
+}
+
+TEST(ParentsOfResults, KeepTheVerticesOfAPartWithoutHandles) {
+  const Task task = with_an_idle_square(test::swapped_square(3));
+  const Result moved = solved(task);
+  ASSERT_GT(moved.rest.rows(), task.rest.rows());
+  const PointMatrix idle = task.rest.bottomRows(16);
+  EXPECT_EQ(moved.map(idle), idle);
+  for (int v = 0; v < task.rest.rows(); ++v)
+    EXPECT_EQ(moved.rest.row(moved.parents.outputs[v]), task.rest.row(v));
+  EXPECT_LE(farthest(moved.map(moved.rest), moved.deformed), 4 * kTolerance);
+}
+
 TEST(ParentsOfResults, OfAVertexWithoutATriangleAreNone) {
   Task task = test::pulled_square(4);
   task.rest.conservativeResize(26, 2);

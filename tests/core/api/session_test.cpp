@@ -85,6 +85,7 @@ TEST(Session, TellsItsMeshWhileAnotherThreadRunsIt) {
   Session session = session_of(test::swapped_square(24));
   std::jthread other([&] { session.run(); });
   for (int i = 0; i < 20; ++i) EXPECT_TRUE(is_valid(session.result()));
+  session.cancel();
 }
 
 TEST(Session, OnItsThreadKnowsNothingOfOthers) {
