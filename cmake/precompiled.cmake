@@ -19,5 +19,6 @@ function(foldless_precompiled_headers name)
 endfunction()
 
 foldless_precompiled_headers(foldless_headers)
+foldless_relocatable(foldless_headers)
 foldless_precompiled_headers(foldless_test_headers <gtest/gtest.h>)
 target_link_libraries(foldless_test_headers PRIVATE GTest::gtest_main)

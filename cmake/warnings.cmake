@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # foldless_library(NAME SOURCES...): a static library with the project's warnings and include root.
 # foldless_options(TARGET): the same options for any target.
+# foldless_relocatable(TARGET): code that a shared library can take in.
 
 function(foldless_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -28,9 +29,16 @@ function(foldless_options target)
   endif()
 endfunction()
 
+# A static library ends in the program, in the Python module and in libraries of others, where it
+# shows nothing of itself.
+function(foldless_relocatable target)
+  target_compile_options(${target} PRIVATE -fPIC -fvisibility=hidden)
+endfunction()
+
 function(foldless_library name)
   add_library(${name} STATIC ${ARGN})
   foldless_options(${name})
+  foldless_relocatable(${name})
   if(FOLDLESS_FUZZ)
     # What libFuzzer watches.
     target_compile_options(${name}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/data_path.h"
 
+#include <dlfcn.h>
+
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -18,12 +20,21 @@ fs::path folder_of_executable() {
   return fs::read_symlink("/proc/self/exe", unreadable).parent_path();
 }
 
+/// Of the program, or of the shared library that this code has become a part of.
+fs::path folder_of_code() {
+  Dl_info info{};
+  const bool is_known = dladdr(reinterpret_cast<void*>(&folder_of_executable), &info) != 0;
+  return is_known && info.dli_fname ? fs::path(info.dli_fname).parent_path() : fs::path();
+}
+
 }  // namespace
 
 fs::path data_path(std::string_view relative) {
   const char* chosen = std::getenv("FOLDLESS_DATA_DIR");
-  const std::array<fs::path, 4> roots{chosen ? fs::path(chosen) : fs::path(),
+  const std::array<fs::path, 5> roots{chosen ? fs::path(chosen) : fs::path(),
                                       folder_of_executable() / "../share/foldless",
+                                      // from lib/python3/dist-packages/foldless
+                                      folder_of_code() / "../../../../share/foldless",
                                       fs::path(FOLDLESS_SOURCE_DIR), fs::path(FOLDLESS_BUILT_DATA)};
   for (const fs::path& root : roots) {
     if (root.empty()) continue;

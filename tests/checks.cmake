@@ -63,6 +63,44 @@ add_test(NAME Install.GivesAProgramThatFindsItsData
                  -DPREFIX=${CMAKE_CURRENT_BINARY_DIR}/installed
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/install_test.cmake)
 
+if(TARGET foldless_words)
+  list(JOIN CPACK_COMPONENTS_ALL "," components)
+  add_test(NAME Install.HasEveryFileInOneComponent
+           COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DCOMPONENTS=${components}
+                   -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/components
+                   -P ${CMAKE_CURRENT_SOURCE_DIR}/components_test.cmake)
+  add_test(NAME WordsOfHelp.AreAManualPageAndACompletion
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/words_of_help_test.sh
+                   ${PROJECT_BINARY_DIR}/words)
+endif()
+
+if(NOT FOLDLESS_SANITIZE)
+  add_test(NAME Package.IsFoundAndLeavesOthersAsTheyAre
+           COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR}
+                   -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DCXX=${CMAKE_CXX_COMPILER}
+                   -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/package
+                   -P ${CMAKE_CURRENT_SOURCE_DIR}/package_test.cmake)
+  add_test(NAME Package.DefinesNoSymbolOfOthers
+           COMMAND ${CMAKE_COMMAND} -DLIBRARY=$<TARGET_FILE:foldless_core>
+                   -P ${CMAKE_CURRENT_SOURCE_DIR}/symbols_test.cmake)
+endif()
+
+if(TARGET foldless_python)
+  add_test(NAME Python.PackageDoesWhatItsTestsSay
+           COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/app/python/foldless_test.py)
+  set(python_environment PYTHONPATH=${PROJECT_BINARY_DIR}/python PYTHONDONTWRITEBYTECODE=1)
+  set_tests_properties(Python.PackageDoesWhatItsTestsSay PROPERTIES
+    TIMEOUT 120 ENVIRONMENT "${python_environment}")
+  execute_process(COMMAND ${Python3_EXECUTABLE} -c "import matplotlib"
+                  RESULT_VARIABLE no_matplotlib OUTPUT_QUIET ERROR_QUIET)
+  if(no_matplotlib EQUAL 0)
+    add_test(NAME Python.ExamplePlots
+             COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/app/python/examples/plot.py
+                     ${CMAKE_CURRENT_BINARY_DIR}/plot.png)
+    set_tests_properties(Python.ExamplePlots PROPERTIES ENVIRONMENT "${python_environment}")
+  endif()
+endif()
+
 if(DPKG_QUERY AND NOT FOLDLESS_SANITIZE)
   add_test(NAME Sbom.NamesWhatIsLinkedAndWhatIsCompiledIn
            COMMAND ${PROJECT_SOURCE_DIR}/scripts/sbom $<TARGET_FILE:foldless>)

@@ -51,7 +51,8 @@ function(only_in files token what)
 endfunction()
 
 # 1 and 2. What core may see, a layer at a time: mesh <- {files, depth, motion, rig}; linear <- cone;
-# {mesh, linear} <- energy <- {solve, remesh <- multires <- construct, scene} <- method <- run.
+# {mesh, linear} <- energy <- {solve, remesh <- multires <- construct, scene} <- method <- run
+# <- api, the headers of which see nothing of the others.
 set(BASE "${PLAIN}|${CORE}|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
 set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
 set(FILES "${MESH}|core/files/.*")
@@ -76,7 +77,9 @@ may_include("core/scene/.*" "${SCENE}")
 may_include("core/outline/.*" "${MESH}|core/outline/.*|${IMAGE_CODECS}|<CGAL/.*>")
 may_include("core/method/.*" "${METHOD}|core/files/text_lines\\.h")
 may_include("core/run/.*" "${METHOD}|core/(motion|run)/.*")
-may_include("core/[^/]+" "${BASE}|core/mesh/.*")
+may_include("core/api/include/.*" "${STD}|<Eigen/Core>|<foldless/[a-z]+\\.h>")
+may_include("core/api/[^/]+" "${METHOD}|<foldless/[a-z]+\\.h>|core/(files|depth|motion|run|api)/.*")
+may_include("core/[^/]+" "${BASE}|core/mesh/.*|core/api/include/foldless/(error|iteration)\\.h|<dlfcn\\.h>")
 
 # 1. What the renderer and the application may see.
 set(RENDER_OF_CORE "core/(error|handle|iteration|snapshot|data_path|depth/paint_order|files/atomic_file|mesh/(parts|triangle)|outline/alpha_map)\\.h")
@@ -86,6 +89,7 @@ set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|image|layered/layered_image|
 may_include("app/editor/.*" "${EDITOR}")
 may_include("app/export/.*" "${BASE}|<glm/.*>|<cairo(-pdf|-svg)?\\.h>|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
 may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|app/exit_status\\.h|<(glad/gl|imgui.*|GLFW/glfw3|fontconfig/.*)\\.h>")
+may_include("app/python/.*" "${BASE}|<foldless/[a-z]+\\.h>|<pybind11/[a-z0-9/]+\\.h>|core/.*|render/.*|app/(export|python)/.*")
 may_include("app/bench/.*" "${BASE}|core/.*|app/(bench|export)/.*")
 may_include("app/cli/.*" "${BASE}|<CLI/CLI\\.hpp>|<built_with\\.h>|core/.*|render/.*|app/(bench|export)/.*|app/(cli/.*|exit_status\\.h)")
 
@@ -96,16 +100,18 @@ only_in("app/gui/fallback_fonts\\.cpp" "<fontconfig/" "fontconfig belongs to fal
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
 only_in("core/linear/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
         "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")
-only_in("core/linear/cholesky\\.cpp" "<(dlfcn|link)\\.h>"
-        "the loader belongs to cholesky.cpp, which tells the regions of CHOLMOD from those of others")
+only_in("core/(linear/cholesky|data_path)\\.cpp" "<(dlfcn|link)\\.h>"
+        "the loader belongs to cholesky.cpp, which tells the regions of CHOLMOD from those of others, \
+and to data_path.cpp")
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")
 only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")
 only_in("app/export/vector_[a-z]+\\.(h|cpp)" "<cairo" "cairo belongs to the vector figures")
 only_in("app/cli/subcommands\\.h" "<CLI/" "CLI11 belongs to subcommands.h and who includes it")
-only_in("(core/run|app/(bench|export))/.*"
+only_in("(core/run|app/(bench|export|python))/.*"
         "std::j?thread([^a-z_:]|$)|std::async|pthread_create|#pragma omp"
-        "only core/run, app/bench and app/export start threads")
+        "only core/run, app/bench, app/export and app/python start threads")
+only_in("app/python/.*" "<pybind11/" "pybind11 belongs to app/python")
 
 # 3. Doubles and Eigen meet floats and GLM in two files of the renderer.
 only_in("core/.*|app/.*|render/(mesh|marker)_layer\\.(h|cpp)" "<Eigen/"

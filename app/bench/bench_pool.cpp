@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "app/bench/stop_watch.h"
+#include "core/run/stop_watch.h"
 
 namespace foldless {
 namespace {

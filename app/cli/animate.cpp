@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "app/bench/stop_watch.h"
 #include "app/cli/calls.h"
 #include "app/cli/command_line.h"
 #include "app/cli/failure_words.h"
@@ -20,6 +19,7 @@
 #include "core/files/text_lines.h"
 #include "core/run/interrupt.h"
 #include "core/run/solved_animation.h"
+#include "core/run/stop_watch.h"
 #include "core/scene/baked_io.h"
 #include "render/figure.h"
 

@@ -17,6 +17,7 @@
 #include "app/bench/paper_suite.h"
 #include "app/bench/random_suite.h"
 #include "app/bench/scale_suite.h"
+#include "app/cli/bench_sweep.h"
 #include "app/cli/calls.h"
 #include "app/cli/command_line.h"
 #include "app/cli/problem.h"
@@ -147,11 +148,16 @@ void write_paper(const std::filesystem::path& folder, const PaperSuite& suite, c
 }
 
 Rows run_with_progress(const BenchCall& call, const std::vector<BenchJob>& jobs,
-                       const Interrupt& interrupt) {
+                       const Interrupt& interrupt,
+                       const std::function<void(const BenchRow&)>& finished = {}) {
   BenchProgress progress(jobs.size());
   return run_jobs(jobs, call.options,
                   {.is_interrupted = [&] { return interrupt.is_requested(); },
-                   .finished = [&](const BenchRow& row) { progress.show(row); }});
+                   .finished =
+                       [&](const BenchRow& row) {
+                         if (finished) finished(row);
+                         progress.show(row);
+                       }});
 }
 
 /// Every method on every scene.
@@ -165,18 +171,26 @@ void print_notes(const Rows& rows) {
   if (const std::string notes = notes_of(rows); !notes.empty()) std::cout << '\n' << notes;
 }
 
+void show_comparison(const BenchCall& call, const Rows& rows) {
+  print_comparison(rows);
+  print_notes(rows);
+  if (call.folder) write_comparison(*call.folder, rows);
+}
+
 void run_comparison(const BenchCall& call, const Interrupt& interrupt) {
-  const auto from_file = [&](int i) { return scene_of(call.scenes[static_cast<std::size_t>(i)]); };
+  const std::vector<std::filesystem::path> files = scene_files(call.scenes);
+  const auto from_file = [&](int i) { return scene_of(files[static_cast<std::size_t>(i)]); };
   const auto drawn = [&](int i) { return random_scene(call.seed, i); };
   const auto hard = [&](int i) { return hard_scene(call.seed, i); };
   const std::vector<BenchScene> scenes =
       call.suite == "random" ? wanted(call, static_cast<std::size_t>(call.count), drawn)
       : call.suite == "hard" ? wanted(call, kHardScenes, hard)
-                             : wanted(call, call.scenes.size(), from_file);
-  const Rows rows = run_scenes(call, scenes, interrupt);
-  print_comparison(rows);
-  print_notes(rows);
-  if (call.folder) write_comparison(*call.folder, rows);
+                             : wanted(call, files.size(), from_file);
+  if (call.keep) keep_scenes(*call.keep, scenes);
+  show_comparison(call, run_sweep(call, jobs_of(call, scenes),
+                                  [&](const std::vector<BenchJob>& jobs, const auto& finished) {
+                                    return run_with_progress(call, jobs, interrupt, finished);
+                                  }));
 }
 
 void run_scale(const BenchCall& call, const Interrupt& interrupt) {
@@ -239,7 +253,9 @@ int bench(const BenchCall& call) {
   const Interrupt interrupt;
   std::optional<MadeFolder> folder;
   if (call.folder) folder.emplace(*call.folder);
-  if (call.suite == "paper")
+  if (call.merge)
+    show_comparison(call, merge_sweep(call));
+  else if (call.suite == "paper")
     run_paper(call, interrupt);
   else if (call.suite == "scale")
     run_scale(call, interrupt);

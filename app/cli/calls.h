@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/bench/bench_pool.h"
+#include "app/bench/sweep.h"
 #include "render/figure_options.h"
 
 namespace foldless {
@@ -104,14 +105,18 @@ struct CompareCall {
 /// `foldless bench [SCENE...]`
 struct BenchCall {
   std::string suite;  ///< `random`, `hard`, `paper`, `scale` or `drag`; empty: `scenes`
-  std::vector<std::filesystem::path> scenes;  ///< scene files
-  std::vector<std::string> methods;           ///< empty: all
-  std::uint64_t seed = 1;                     ///< of the random and the hard suite
-  int count = 60;                             ///< scenes of the random suite
-  std::vector<int> only;                      ///< indices of scenes, from 0; empty: all
+  /// Scene files, folders and lists of them; with `merge` files that --append wrote.
+  std::vector<std::filesystem::path> scenes;
+  std::vector<std::string> methods;  ///< empty: all
+  std::uint64_t seed = 1;            ///< of the random and the hard suite
+  int count = 60;                    ///< scenes of the random suite
+  std::vector<int> only;             ///< indices of scenes, from 0; empty: all
   BenchOptions options;
   std::optional<std::filesystem::path> folder;  ///< for tables
   std::optional<std::filesystem::path> keep;    ///< for the scenes as files
+  std::optional<Shard> shard;                   ///< the part of the runs that is made; absent: all
+  std::optional<std::filesystem::path> append;  ///< for a record of every run
+  bool merge = false;                           ///< run nothing: tables of records
 };
 
 /// Text to print and nothing else to do: help or version.

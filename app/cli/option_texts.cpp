@@ -222,11 +222,35 @@ void read_check(const CheckCall& call) {
                 "(.foldless)");
 }
 
+namespace {
+
+Shard read_shard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto number = parse_integer(text.substr(0, slash));
+  const auto count =
+      slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
+  if (!number || !count || *number < 1 || *number > *count)
+    throw Error("--shard takes one of 1/N to N/N, not " + in_quotes(text));
+  return {*number, *count};
+}
+
+void read_sweep(const Texts& texts, BenchCall& call) {
+  if (!texts.shard.empty()) call.shard = read_shard(texts.shard);
+  if (!call.shard && !call.append) return;
+  if (call.merge) throw Error("--merge runs nothing: leave out --shard and --append");
+  if (!call.suite.empty() && call.suite != "random" && call.suite != "hard")
+    throw Error("--shard and --append go with scene files, --suite random or --suite hard");
+}
+
+}  // namespace
+
 void read_bench(const Texts& texts, BenchCall& call) {
   constexpr std::array<std::string_view, 6> kSuites{"", "random", "hard", "paper", "scale", "drag"};
   if (std::ranges::find(kSuites, call.suite) == kSuites.end())
     throw Error("--suite " + in_quotes(call.suite) +
                 " is unknown; choose random, hard, paper, scale or drag");
+  if (call.merge && (!call.suite.empty() || call.scenes.empty()))
+    throw Error("--merge takes the files that --append wrote, and no suite");
   if (call.suite.empty() == call.scenes.empty())
     throw Error("bench takes either scene files or --suite random|hard|paper|scale|drag");
   for (const std::string& name : items_of(texts.methods))
@@ -241,6 +265,7 @@ void read_bench(const Texts& texts, BenchCall& call) {
       throw Error("--only takes indices of scenes, from 0, not " + in_quotes(index));
     call.only.push_back(*number);
   }
+  read_sweep(texts, call);
   if (call.count < 1) throw Error("--count takes a number of 1 or more");
   if (call.options.threads < 1) throw Error("--jobs takes a number of 1 or more");
   if (call.options.repeat < 1) throw Error("--repeat takes a number of 1 or more");

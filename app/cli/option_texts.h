@@ -40,7 +40,7 @@ std::string words_of(std::span<const std::string_view> words);
 
 /// The options of one call as text, until they are read.
 struct Texts {
-  std::string frames, start, time_limit, size, view, layers, methods, only;
+  std::string frames, start, time_limit, size, view, layers, methods, only, shard;
   std::string fps, range;                             // of animate
   std::string theme, background, camera, line_width;  // of render
   std::array<std::string, kNumberOptions.size()> numbers;

@@ -4,31 +4,14 @@
 #include <string_view>
 #include <utility>
 
+#include "app/bench/parameters_node.h"
 #include "core/energy/constraints.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/quality.h"
-#include "core/method/methods.h"
 #include "core/scene/handle_kind.h"
-#include "core/scene/parameter_keys.h"
 
 namespace foldless {
 namespace {
-
-JsonNode parameters_node(const Problem& problem) {
-  JsonNode::Object object;
-  for (const ParameterKey& key : parameter_keys()) {
-    // Only β may be absent: it then is the energy's own.
-    const double value = key.get(problem.parameters)
-                             .value_or(default_beta(problem.parameters.method, *problem.energy));
-    if (key.kind == ParameterKind::word)
-      object.emplace_back(key.name, node_of(key.words[static_cast<std::size_t>(value)]));
-    else if (key.kind == ParameterKind::flag)
-      object.emplace_back(key.name, JsonNode{value != 0});
-    else
-      object.emplace_back(key.name, node_of(value));
-  }
-  return {std::move(object)};
-}
 
 JsonNode energy_node(std::string_view name, const std::optional<Iteration>& state) {
   const auto value = [&](double Iteration::*member) {
@@ -99,7 +82,7 @@ JsonNode report_of(const Solved& solved) {
   JsonNode::Object report{
       {"scene", node_of(solved.scene)},
       {"method", node_of(solved.problem.parameters.method)},
-      {"parameters", parameters_node(solved.problem)},
+      {"parameters", parameters_node(solved.problem.parameters, *solved.problem.energy)},
       {"vertices", node_of(static_cast<double>(state.rest->cols()))},
       {"faces", node_of(static_cast<double>(state.triangles->cols()))},
       {"original_vertices", node_of(state.original_vertices)},

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "app/bench/stop_watch.h"
 #include "app/cli/calls.h"
 #include "app/cli/command_line.h"
 #include "app/cli/problem.h"
@@ -19,6 +18,7 @@
 #include "core/energy/densities.h"
 #include "core/run/interrupt.h"
 #include "core/run/run.h"
+#include "core/run/stop_watch.h"
 #include "core/scene/parameter_keys.h"
 
 namespace foldless {

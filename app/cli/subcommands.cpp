@@ -182,7 +182,8 @@ CLI::App* add_replay(CLI::App& app, ReplayCall& call, Texts& texts) {
 
 CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
   CLI::App* bench = app.add_subcommand("bench", "run methods side by side over many scenes");
-  bench->add_option("SCENE", call.scenes, "scene files, where no suite is named");
+  bench->add_option("SCENE", call.scenes,
+                    "scene files, folders or .txt lists of them, where no suite is named");
   bench
       ->add_option("--suite", call.suite,
                    "random: scenes drawn from a seed; hard: 216 that are hard to reach, likewise; "
@@ -212,6 +213,13 @@ CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
                    "folder for results.csv, results.json and tables in Markdown and LaTeX")
       ->type_name("DIR");
   bench->add_option("--keep", call.keep, "folder for the scenes as files")->type_name("DIR");
+  bench->add_option("--shard", texts.shard, "make every N-th run only, from the I-th on, 1 to N")
+      ->type_name("I/N");
+  bench
+      ->add_option("--append", call.append,
+                   "add a line of JSON for every run at once, and skip the runs that are there")
+      ->type_name("FILE");
+  bench->add_flag("--merge", call.merge, "run nothing: tables of the files that --append wrote");
   return bench;
 }
 

@@ -5,7 +5,7 @@
 
 namespace foldless {
 
-/// `foldless 0.1.0` on a line.
+/// `foldless 1.0.0` on a line.
 std::string version_text();
 
 /// The same, then the compiler and the packages that the program was built with, a line each.

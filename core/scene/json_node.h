@@ -49,6 +49,9 @@ JsonNode parse_json(std::string_view text, const std::string& name);
 /// number is the shortest that reads back exactly. Throws Error for a number that is not finite.
 std::string json_text(const JsonNode& node);
 
+/// The same on one line, without an end.
+std::string json_line(const JsonNode& node);
+
 /// To and from the type of the JSON library, for values that are passed on as they are.
 nlohmann::json to_library(const JsonNode& node);
 JsonNode from_library(const nlohmann::json& json);

@@ -94,4 +94,16 @@ std::string json_text(const JsonNode& node) {
   return std::move(writer.text) + '\n';
 }
 
+std::string json_line(const JsonNode& node) {
+  // Line breaks inside strings are escaped: those that are left, with the blanks that follow,
+  // are layout.
+  std::string line;
+  bool is_layout = false;
+  for (const char c : json_text(node)) {
+    is_layout = c == '\n' || (is_layout && c == ' ');
+    if (!is_layout) line += c;
+  }
+  return line;
+}
+
 }  // namespace foldless

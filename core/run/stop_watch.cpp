@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bench/stop_watch.h"
+#include "core/run/stop_watch.h"
 
 #include <pthread.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <ctime>
+#include <mutex>
 #include <utility>
 
 namespace foldless {
@@ -28,13 +30,16 @@ StopWatch::StopWatch(StopConditions conditions) : conditions_(std::move(conditio
 }
 
 void StopWatch::watch(const std::stop_token& ending, clockid_t clock) {
+  std::mutex mutex;
+  std::condition_variable_any pause;
+  std::unique_lock lock(mutex);
   while (!ending.stop_requested() && !stop_.stop_requested()) {
     if (conditions_.time_limit && seconds_on(clock) > *conditions_.time_limit) {
       is_time_over_ = true;
       stop_.request_stop();
     }
     if (conditions_.is_interrupted && conditions_.is_interrupted()) stop_.request_stop();
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    pause.wait_for(lock, ending, std::chrono::milliseconds(10), [] { return false; });
   }
 }
 

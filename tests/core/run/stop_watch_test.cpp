@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bench/stop_watch.h"
+#include "core/run/stop_watch.h"
 
 #include <gtest/gtest.h>
 
