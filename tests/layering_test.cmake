@@ -95,7 +95,7 @@ only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui b
 only_in("app/gui/fallback_fonts\\.cpp" "<fontconfig/" "fontconfig belongs to fallback_fonts")
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
 only_in("core/linear/ordering\\.cpp" "<(amd|cholmod)\\.h>" "SuiteSparse belongs to ordering.cpp")
-only_in("core/linear/dense_kernels_avx2\\.cpp" "<immintrin\\.h>"
+only_in("core/linear/(dense_kernels_avx2|single_precision_solve)\\.cpp" "<immintrin\\.h>"
         "instructions of one processor belong to its kernels")
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")

@@ -2,6 +2,7 @@
 #include "core/linear/cholesky.h"
 
 #include "core/linear/ordering.h"
+#include "core/linear/single_precision_solve.h"
 #include "core/linear/triangular_solve.h"
 
 namespace foldless {
@@ -15,7 +16,8 @@ void Cholesky::analyze(const SparseSymmetric& matrix, bool keep_ordering) {
 
 bool Cholesky::factorize(const SparseSymmetric& matrix, double shift) {
   has_factor_ = false;
-  if (!values_ || values_.use_count() > 1) values_ = std::make_shared<Buffer>();
+  work_.single_is_of_the_factor = false;
+  if (!values_ || values_.use_count() > 1) values_ = std::make_shared<Buffer<double>>();
   values_->reserve(symbolic_->values);
   has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values_->data(), work_.stacks) ==
                 matrix.size();
@@ -33,6 +35,31 @@ Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
   Eigen::VectorXd solution(x.size());
   for (Eigen::Index k = 0; k < nodes; ++k)
     solution.segment<2>(2 * symbolic_->order[static_cast<std::size_t>(k)]) = x.segment<2>(2 * k);
+  return solution;
+}
+
+Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
+  const double scale = right_hand_side.lpNorm<Eigen::Infinity>();
+  if (!solves_in_single_precision() || !(scale > 0)) return solve(right_hand_side);
+  const auto size = static_cast<std::size_t>(right_hand_side.size());
+  if (!work_.single_is_of_the_factor) {
+    work_.single.reserve(symbolic_->values + kSingleOverrun);
+    to_single_precision(*symbolic_, values_->data(), work_.single.data());
+    work_.single_is_of_the_factor = true;
+  }
+  work_.single_in_order.reserve(size);
+  work_.single_scratch.reserve(size + kSingleOverrun);
+  float* x = work_.single_in_order.data();
+  const double* b = right_hand_side.data();
+  for (std::size_t k = 0; k < symbolic_->order.size(); ++k)
+    for (std::size_t i = 0; i < 2; ++i)
+      x[2 * k + i] =
+          static_cast<float>(b[2 * static_cast<std::size_t>(symbolic_->order[k]) + i] / scale);
+  triangular_solve_single(*symbolic_, work_.single.data(), x, work_.single_scratch.data());
+  Eigen::VectorXd solution(right_hand_side.size());
+  for (std::size_t k = 0; k < symbolic_->order.size(); ++k)
+    for (std::size_t i = 0; i < 2; ++i)
+      solution.data()[2 * static_cast<std::size_t>(symbolic_->order[k]) + i] = scale * x[2 * k + i];
   return solution;
 }
 

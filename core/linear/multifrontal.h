@@ -9,27 +9,28 @@
 namespace foldless {
 
 /// Values that are not initialised.
+template <class Value>
 class Buffer {
  public:
-  double* data() { return values_.get(); }
-  const double* data() const { return values_.get(); }
+  Value* data() { return values_.get(); }
+  const Value* data() const { return values_.get(); }
   /// Makes room; what was in it is lost where it was too small. Throws std::bad_alloc.
   void reserve(std::size_t size) {
     if (size <= size_) return;
     values_.reset();
     size_ = 0;
-    values_ = std::make_unique_for_overwrite<double[]>(size);
+    values_ = std::make_unique_for_overwrite<Value[]>(size);
     size_ = size;
   }
 
  private:
-  std::unique_ptr<double[]> values_;
+  std::unique_ptr<Value[]> values_;
   std::size_t size_ = 0;
 };
 
 /// Room for the update matrices of a factorization; may serve others later.
 struct UpdateStacks {
-  Buffer stack[2];
+  Buffer<double> stack[2];
 };
 
 /// The Cholesky factor of matrix + shift·I by the multifrontal method [Liu92] into `values`, which

@@ -11,44 +11,16 @@
 #include "core/linear/cholesky.h"
 #include "core/linear/ordering.h"
 #include "tests/support/dense_matrix.h"
+#include "tests/support/random_symmetric.h"
 
 namespace foldless {
 namespace {
 
+using test::diagonal;
+using test::dominated;
+using test::random_symmetric;
+
 constexpr unsigned kSeeds = 60;
-
-/// Random blocks on the edges of a graph: random edges between near and far nodes, some nodes with
-/// none, several parts.
-SparseSymmetric random_symmetric(unsigned seed) {
-  std::mt19937 random(seed);
-  const auto below = [&random](int end) {
-    return std::uniform_int_distribution(0, end - 1)(random);
-  };
-  const int nodes = 1 + below(seed % 3 == 0 ? 12 : 400);
-  const int reach = 1 + below(seed % 5 == 0 ? nodes : 20);
-  std::vector<std::pair<int, int>> edges;
-  for (int k = below(4 * nodes); k > 0; --k) {
-    const int a = below(nodes), b = std::min(nodes - 1, a + below(reach));
-    if (a != b) edges.emplace_back(a, b);
-  }
-  SparseSymmetric m = sparse_symmetric(nodes, edges);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  for (double& value : m.value) value = unit(random);
-  return m;
-}
-
-double& diagonal(SparseSymmetric& m, int i) {
-  return m.value[static_cast<std::size_t>(m.column_start[static_cast<std::size_t>(i)])];
-}
-
-/// The matrix with as much on its diagonal as its rows have beside it, and more.
-SparseSymmetric dominated(SparseSymmetric m, unsigned seed) {
-  const Eigen::VectorXd sums = test::dense(m).cwiseAbs().rowwise().sum();
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> more(0.01, 2);
-  for (int i = 0; i < m.size(); ++i) diagonal(m, i) = sums[i] + more(random);
-  return m;
-}
 
 Eigen::SparseMatrix<double> lower(const SparseSymmetric& m) {
   return Eigen::Map<const Eigen::SparseMatrix<double>>(
@@ -94,7 +66,7 @@ TEST(Multifrontal, NoticesAnIndefiniteMatrixAtTheColumnWhereItShows) {
     std::mt19937 random(seed);
     diagonal(m, std::uniform_int_distribution(0, m.size() - 1)(random)) *= -0.5;
     const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m));
-    Buffer values;
+    Buffer<double> values;
     values.reserve(factor.values);
     UpdateStacks stacks;
     const int found = factorize(factor, m, 0, values.data(), stacks);
