@@ -66,7 +66,7 @@ may_include("core/files/.*" "${FILES}|<CGAL/.*>")
 may_include("core/depth/.*" "${MESH}|core/depth/.*")
 may_include("core/motion/.*" "${MESH}|core/motion/.*|<gmpxx\\.h>")
 may_include("core/rig/.*" "${MESH}|core/rig/.*")
-may_include("core/linear/.*" "${LINEAR}|<(suitesparse/)?cholmod\\.h>|<(dlfcn|link)\\.h>")
+may_include("core/linear/.*" "${LINEAR}|<(amd|immintrin)\\.h>")
 may_include("core/cone/.*" "${LINEAR}|core/cone/.*")
 may_include("core/energy/.*" "${ENERGY}")
 may_include("core/solve/.*" "${ENERGY}|core/(linear|solve)/.*")
@@ -98,11 +98,10 @@ only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
 only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui belongs to app/gui")
 only_in("app/gui/fallback_fonts\\.cpp" "<fontconfig/" "fontconfig belongs to fallback_fonts")
 only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
-only_in("core/linear/(cholesky\\.cpp|(symbolic_factor|triangular_solve)\\.(h|cpp))" "cholmod\\.h>"
-        "CHOLMOD belongs to cholesky.cpp, symbolic_factor and triangular_solve")
-only_in("core/(linear/cholesky|data_path)\\.cpp" "<(dlfcn|link)\\.h>"
-        "the loader belongs to cholesky.cpp, which tells the regions of CHOLMOD from those of others, \
-and to data_path.cpp")
+only_in("core/linear/ordering\\.cpp" "<(amd|cholmod)\\.h>" "SuiteSparse belongs to ordering.cpp")
+only_in("core/linear/(dense_kernels_avx2|single_precision_solve)\\.cpp" "<immintrin\\.h>"
+        "instructions of one processor belong to its kernels")
+only_in("core/data_path\\.cpp" "<(dlfcn|link)\\.h>" "the loader belongs to data_path.cpp")
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")
 only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")

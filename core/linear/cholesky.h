@@ -3,26 +3,17 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <vector>
 
+#include "core/linear/multifrontal.h"
 #include "core/linear/sparse_symmetric.h"
 
 namespace foldless {
 
-/// Sparse Cholesky factorization LLᵀ of a symmetric matrix, through CHOLMOD [CDHR08]: simplicial
-/// for small systems, supernodal for large ones. The symbolic part is kept while the pattern
-/// stands. A copy has the factor too.
+/// Sparse Cholesky factorization LLᵀ of a symmetric matrix. The symbolic part is kept while the
+/// pattern stands. A copy has the factor too; both share it until one factorizes anew.
 class Cholesky {
  public:
-  /// From this many unknowns on the supernodal factorization was measured to be faster.
-  static constexpr int kSupernodalFrom = 800;
-
-  Cholesky();
-  ~Cholesky();
-  Cholesky(const Cholesky& other);
-  Cholesky& operator=(const Cholesky& other);
-  Cholesky(Cholesky&&) noexcept;
-  Cholesky& operator=(Cholesky&&) noexcept;
-
   /// Symbolic factorization of the pattern. The fill-reducing ordering is that of the vertex
   /// graph; with `keep_ordering` the previous one serves again (same number of unknowns).
   void analyze(const SparseSymmetric& matrix, bool keep_ordering = false);
@@ -30,15 +21,36 @@ class Cholesky {
   /// Precondition: analyze() was called with the same pattern.
   bool factorize(const SparseSymmetric& matrix, double shift = 0);
   /// True when analyze() was called.
-  bool is_analyzed() const;
+  bool is_analyzed() const { return symbolic_ != nullptr; }
   /// True when the last factorization succeeded and nothing was analysed since.
-  bool has_factor() const;
+  bool has_factor() const { return has_factor_; }
   /// Solves with the factor. Precondition: has_factor().
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side);
+  /// The same to about five digits where the factor is well conditioned: in single precision, which
+  /// is half of what the memory has to bring, on processors that have the instructions for it.
+  Eigen::VectorXd precondition(const Eigen::VectorXd& right_hand_side);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  /// Room that is used again, and that a copy makes for itself.
+  struct Work {
+    Work() = default;
+    Work(const Work&) {}
+    Work& operator=(const Work&) {
+      single_is_of_the_factor = false;
+      return *this;
+    }
+
+    UpdateStacks stacks;
+    Eigen::VectorXd in_order, scratch;
+    Buffer<float> single, single_in_order, single_scratch;
+    bool single_is_of_the_factor = false;
+  };
+
+  std::vector<int> ordering_;  ///< of the nodes
+  std::shared_ptr<const SymbolicFactor> symbolic_;
+  std::shared_ptr<Buffer<double>> values_;
+  Work work_;
+  bool has_factor_ = false;
 };
 
 }  // namespace foldless

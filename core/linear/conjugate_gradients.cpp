@@ -2,13 +2,23 @@
 #include "core/linear/conjugate_gradients.h"
 
 namespace foldless {
+namespace {
+
+/// Where no more is asked, the rounding of a preconditioner in single precision does not show.
+constexpr double kLeastGainOfSinglePrecision = 1e-4;
+
+}  // namespace
 
 ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
                                               Cholesky& factor,
                                               const ConjugateGradientSettings& settings) {
   ConjugateGradientSolution solution{Eigen::VectorXd::Zero(b.size())};
+  const auto precondition = [&](const Eigen::VectorXd& r) {
+    return settings.least_gain >= kLeastGainOfSinglePrecision ? factor.precondition(r)
+                                                              : factor.solve(r);
+  };
   Eigen::VectorXd residual = b;
-  Eigen::VectorXd direction = factor.solve(residual);
+  Eigen::VectorXd direction = precondition(residual);
   Eigen::VectorXd image(b.size());
   double norm = residual.dot(direction);
   double decrease = 0;
@@ -29,7 +39,7 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
       return solution;
     }
     residual -= length * image;
-    const Eigen::VectorXd next = factor.solve(residual);
+    const Eigen::VectorXd next = precondition(residual);
     const double next_norm = residual.dot(next);
     direction = next + next_norm / norm * direction;
     norm = next_norm;

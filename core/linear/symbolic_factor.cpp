@@ -2,107 +2,140 @@
 #include "core/linear/symbolic_factor.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
-#include <memory>
-#include <new>
-#include <span>
 
 #include "core/error.h"
+#include "core/linear/elimination_tree.h"
+#include "core/linear/later_blocks.h"
+#include "core/linear/supernodes.h"
 
 namespace foldless {
 namespace {
 
-/// Columns of supernodes that may be merged although that stores zeros: CHOLMOD's own limits are
-/// twice these, for columns of the matrix.
-constexpr std::size_t kRelaxed[] = {2, 8, 24};
+/// Fills a symbolic factor in, from the supernodes on.
+class FactorBuilder {
+ public:
+  FactorBuilder(const SparseSymmetric& matrix, const EliminationTree& tree, SymbolicFactor& factor)
+      : tree_(tree), later_(later_blocks(matrix, tree.position)), factor_(factor) {}
 
-struct FreeFactor {
-  cholmod_common* common;
-  void operator()(cholmod_factor* factor) const { cholmod_free_factor(&factor, common); }
+  void make_supernodes() {
+    std::size_t rows = 0;
+    for (const NodeRange& range : relaxed_supernodes(tree_)) {
+      Supernode s;
+      s.first = 2 * range.first;
+      s.columns = 2 * range.nodes;
+      s.below = 2 * range.below;
+      s.row_start = rows;
+      s.value_start = factor_.values;
+      const std::size_t size = at(s.rows()) * at(s.columns);
+      if (size > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        throw Error("the mesh has too many triangles for the solver; use a coarser one");
+      rows += at(range.below);
+      factor_.values += size;
+      of_node_.resize(of_node_.size() + at(range.nodes),
+                      static_cast<int>(factor_.supernodes.size()));
+      factor_.supernodes.push_back(s);
+    }
+    factor_.rows.resize(rows);
+    factor_.places.resize(rows);
+  }
+
+  void link() {
+    for (std::size_t k = factor_.supernodes.size(); k-- > 0;) {
+      Supernode& s = factor_.supernodes[k];
+      const int up = tree_.parent[static_cast<std::size_t>((s.first + s.columns) / 2 - 1)];
+      if (up < 0) continue;
+      s.parent = of_node_[at(up)];
+      Supernode& parent = supernode(s.parent);
+      s.sibling = parent.child;
+      parent.child = static_cast<int>(k);
+    }
+  }
+
+  /// Row i is in the supernodes on the paths from the earlier neighbours of i up to i.
+  void find_rows() {
+    std::vector<int> last_row(factor_.supernodes.size(), -1);
+    std::vector<std::size_t> next;
+    for (const Supernode& s : factor_.supernodes) next.push_back(s.row_start);
+    for (int i = 0; i < static_cast<int>(of_node_.size()); ++i) {
+      const int end = of_node_[at(i)];
+      for (const int j : tree_.earlier.of(i))
+        for (int k = of_node_[at(j)]; k != end && last_row[at(k)] != i; k = supernode(k).parent) {
+          last_row[at(k)] = i;
+          factor_.rows[next[at(k)]++] = i;
+        }
+    }
+  }
+
+  void find_places() {
+    std::vector<int> place(of_node_.size());
+    for (Supernode& s : factor_.supernodes) {
+      int count = 0;
+      for (int i = s.first / 2; count < s.columns / 2; ++i) place[at(i)] = count++;
+      for (const int i : factor_.rows_of(s)) place[at(i)] = count++;
+      for (int k = s.child; k >= 0;) {
+        const Supernode& child = supernode(k);
+        std::size_t next = child.row_start;
+        for (const int i : factor_.rows_of(child)) factor_.places[next++] = place[at(i)];
+        k = child.sibling;
+      }
+      place_blocks(s, place);
+    }
+  }
+
+  /// A parent's update matrix is made while those of its children are there: they are in the other
+  /// stack, where they are the last.
+  void stack_updates() {
+    std::vector<int> depth(factor_.supernodes.size(), 0);
+    for (std::size_t k = depth.size(); k-- > 0;) {
+      const int parent = factor_.supernodes[k].parent;
+      if (parent >= 0) depth[k] = 1 - depth[at(parent)];
+    }
+    std::size_t top[2] = {};
+    for (std::size_t k = 0; k < depth.size(); ++k) {
+      Supernode& s = factor_.supernodes[k];
+      const int own = depth[k];
+      s.update_stack = own;
+      s.update_start = top[own];
+      top[own] += at(s.below) * at(s.below);
+      factor_.stack_sizes[own] = std::max(factor_.stack_sizes[own], top[own]);
+      if (s.child >= 0) top[1 - own] = supernode(s.child).update_start;
+    }
+  }
+
+ private:
+  void place_blocks(Supernode& s, const std::vector<int>& place) {
+    s.block_start = factor_.blocks.size();
+    for (int k = 0; k < s.columns / 2; ++k)
+      for (const LaterBlock& block : later_.of(s.first / 2 + k)) {
+        const int target = 2 * (k * s.rows() + place[at(block.row)]);
+        factor_.blocks.push_back(
+            {block.first, block.second, block.is_transposed ? ~target : target});
+      }
+  }
+
+  Supernode& supernode(int k) { return factor_.supernodes[at(k)]; }
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  const EliminationTree& tree_;
+  const LaterBlocks later_;
+  SymbolicFactor& factor_;
+  std::vector<int> of_node_;  ///< the supernode of every place
 };
-using FactorPointer = std::unique_ptr<cholmod_factor, FreeFactor>;
-
-std::span<int> ints(void* array, std::size_t count) { return {static_cast<int*>(array), count}; }
-
-void* allocate(std::size_t count, cholmod_common& common) {
-  void* array = cholmod_malloc(count, sizeof(int), &common);
-  if (!array) throw std::bad_alloc();
-  return array;
-}
-
-void expand_columns(const cholmod_factor& graph, cholmod_factor& factor) {
-  const std::span<int> order = ints(graph.Perm, graph.n), count = ints(graph.ColCount, graph.n);
-  const std::span<int> expanded_order = ints(factor.Perm, factor.n);
-  const std::span<int> expanded_count = ints(factor.ColCount, factor.n);
-  for (std::size_t k = 0; k < graph.n; ++k) {
-    expanded_order[2 * k] = 2 * order[k];
-    expanded_order[2 * k + 1] = 2 * order[k] + 1;
-    expanded_count[2 * k] = 2 * count[k];
-    expanded_count[2 * k + 1] = 2 * count[k] - 1;
-  }
-}
-
-void expand_supernodes(const cholmod_factor& graph, cholmod_factor& factor,
-                       cholmod_common& common) {
-  const std::size_t ends = graph.nsuper + 1;
-  // The library counts with int, as the places in `px` do.
-  if (graph.xsize > static_cast<std::size_t>(std::numeric_limits<int>::max()) / 4)
-    throw Error("the mesh has too many triangles for the solver; use a coarser one");
-  factor.is_super = factor.is_ll = 1;
-  factor.nsuper = graph.nsuper;
-  factor.super = allocate(ends, common);
-  factor.pi = allocate(ends, common);
-  factor.px = allocate(ends, common);
-  factor.ssize = 2 * graph.ssize;
-  factor.s = allocate(factor.ssize, common);
-  factor.xsize = 4 * graph.xsize;
-  factor.maxcsize = 4 * graph.maxcsize;
-  factor.maxesize = 2 * graph.maxesize;
-  for (std::size_t i = 0; i < ends; ++i) {
-    ints(factor.super, ends)[i] = 2 * ints(graph.super, ends)[i];
-    ints(factor.pi, ends)[i] = 2 * ints(graph.pi, ends)[i];
-    ints(factor.px, ends)[i] = 4 * ints(graph.px, ends)[i];
-  }
-  const std::span<int> rows = ints(graph.s, graph.ssize);
-  const std::span<int> expanded_rows = ints(factor.s, factor.ssize);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    expanded_rows[2 * i] = 2 * rows[i];
-    expanded_rows[2 * i + 1] = 2 * rows[i] + 1;
-  }
-}
 
 }  // namespace
 
-cholmod_sparse view_of_graph(const SparseSymmetric& matrix) {
-  cholmod_sparse graph{};
-  graph.nrow = graph.ncol = static_cast<std::size_t>(matrix.nodes);
-  graph.nzmax = matrix.graph.size();
-  // CHOLMOD takes pointers to non-const and does not write through them.
-  graph.p = const_cast<int*>(matrix.graph_start.data());
-  graph.i = const_cast<int*>(matrix.graph.data());
-  graph.stype = -1;
-  graph.itype = CHOLMOD_INT;
-  graph.xtype = CHOLMOD_PATTERN;
-  graph.dtype = CHOLMOD_DOUBLE;
-  graph.sorted = 1;
-  graph.packed = 1;
-  return graph;
-}
-
-cholmod_factor* symbolic_factor(const SparseSymmetric& matrix, std::vector<int>& ordering,
-                                cholmod_common& common) {
-  std::copy(std::begin(kRelaxed), std::end(kRelaxed), common.nrelax);
-  cholmod_sparse pattern = view_of_graph(matrix);
-  const FactorPointer graph(cholmod_analyze_p(&pattern, ordering.data(), nullptr, 0, &common),
-                            {&common});
-  if (!graph) throw std::bad_alloc();
-  FactorPointer factor(cholmod_allocate_factor(2 * graph->n, &common), {&common});
-  if (!factor) throw std::bad_alloc();
-  expand_columns(*graph, *factor);
-  if (graph->is_super) expand_supernodes(*graph, *factor, common);
-  factor->ordering = CHOLMOD_NATURAL;  // the matrix comes in the order of the factor
-  return factor.release();
+SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, const std::vector<int>& order) {
+  EliminationTree tree = elimination_tree(matrix, order);
+  SymbolicFactor factor;
+  FactorBuilder builder(matrix, tree, factor);
+  builder.make_supernodes();
+  builder.link();
+  builder.find_rows();
+  builder.find_places();
+  builder.stack_updates();
+  factor.order = std::move(tree.order);
+  return factor;
 }
 
 }  // namespace foldless

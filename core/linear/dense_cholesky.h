@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/linear/dense_kernels.h"
+
+namespace foldless {
+
+/// Columns of a dense lower triangle and the rows below them, column after column: rows × columns,
+/// rows ≥ columns, both even. What is above the diagonal is neither read nor kept.
+struct DensePanel {
+  double* value;
+  int rows;
+  int columns;
+};
+
+/// The first `columns` columns of the Cholesky factor of a symmetric matrix, in its place, with the
+/// *inverse* on its diagonal. Returns the number of columns, or the first whose pivot is not > 0.
+int factorize_panel(const DensePanel& panel, const DenseKernels& kernels);
+
+/// How subtract_square() begins.
+enum class Square { accumulate, from_zero };
+
+/// U −= B Bᵀ, the lower triangle of U, where B are the rows of a factorized panel below its
+/// columns; U is column after column, of as many rows. What is above its diagonal is not kept.
+void subtract_square(const DensePanel& panel, double* U, Square start, const DenseKernels& kernels);
+
+}  // namespace foldless

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/single_precision_solve.h"
+
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+
+namespace foldless {
+
+void to_single_precision(const SymbolicFactor& factor, const double* values, float* single) {
+  for (const Supernode& s : factor.supernodes) {
+    const double* from = values + s.value_start;
+    float* to = single + s.value_start;
+    for (int j = 0; j < s.columns; ++j, from += s.rows(), to += s.rows()) {
+      std::fill_n(to, j, 0.0F);
+      for (int i = j; i < s.rows(); ++i) to[i] = static_cast<float>(from[i]);
+    }
+  }
+  std::fill_n(single + factor.values, kSingleOverrun, 0.0F);
+}
+
+#ifdef __x86_64__
+
+namespace {
+
+#define FOLDLESS_AVX2 __attribute__((target("avx2,fma"))) inline
+
+constexpr int kLanes = 8;
+
+/// Some columns of a panel next to each other, of which the first is the panel's column `column`.
+template <int Columns>
+struct SingleColumns {
+  const float* value;  ///< of the first column
+  int rows;
+  int column;
+
+  const float* of(int c) const { return value + static_cast<std::ptrdiff_t>(c) * rows; }
+};
+
+/// work, by rows of the panel: the first of its rows that are not done are solved for, and what
+/// they add to the others is taken off.
+template <int Columns>
+FOLDLESS_AVX2 void forward_columns(const SingleColumns<Columns>& s, float* work) {
+  __m256 x[Columns];
+  float* own = work + s.column;
+  for (int c = 0; c < Columns; ++c) {
+    const float* column = s.of(c) + s.column;
+    own[c] *= column[c];
+    for (int d = c + 1; d < Columns; ++d) own[d] -= column[d] * own[c];
+    x[c] = _mm256_set1_ps(own[c]);
+  }
+  for (int i = s.column + Columns; i < s.rows; i += kLanes) {
+    __m256 sum = _mm256_loadu_ps(work + i);
+    for (int c = 0; c < Columns; ++c)
+      sum = _mm256_fnmadd_ps(_mm256_loadu_ps(s.of(c) + i), x[c], sum);
+    _mm256_storeu_ps(work + i, sum);
+  }
+}
+
+FOLDLESS_AVX2 float sum_of(__m256 v) {
+  __m128 sum = _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1));
+  sum = _mm_add_ps(sum, _mm_movehl_ps(sum, sum));
+  return _mm_cvtss_f32(_mm_add_ss(sum, _mm_movehdup_ps(sum)));
+}
+
+template <int Columns>
+FOLDLESS_AVX2 void backward_columns(const SingleColumns<Columns>& s, float* work) {
+  __m256 sums[Columns];
+  for (int c = 0; c < Columns; ++c) sums[c] = _mm256_setzero_ps();
+  for (int i = s.column + Columns; i < s.rows; i += kLanes) {
+    const __m256 known = _mm256_loadu_ps(work + i);
+    for (int c = 0; c < Columns; ++c)
+      sums[c] = _mm256_fmadd_ps(_mm256_loadu_ps(s.of(c) + i), known, sums[c]);
+  }
+  float* own = work + s.column;
+  for (int c = Columns - 1; c >= 0; --c) {
+    const float* column = s.of(c) + s.column;
+    float rest = own[c] - sum_of(sums[c]);
+    for (int d = c + 1; d < Columns; ++d) rest -= column[d] * own[d];
+    own[c] = rest * column[c];
+  }
+}
+
+/// x becomes L⁻¹ x.
+FOLDLESS_AVX2 void forward_single(const Supernode& s, const int* node, const float* value, float* x,
+                                  float* work) {
+  const int rows = s.rows(), wide = s.columns & ~3;
+  std::copy_n(x + s.first, s.columns, work);
+  std::fill_n(work + s.columns, static_cast<std::size_t>(s.below) + kSingleOverrun, 0.0F);
+  for (int j = 0; j < wide; j += 4)
+    forward_columns<4>({value + static_cast<std::ptrdiff_t>(j) * rows, rows, j}, work);
+  if (wide < s.columns)
+    forward_columns<2>({value + static_cast<std::ptrdiff_t>(wide) * rows, rows, wide}, work);
+  std::copy_n(work, s.columns, x + s.first);
+  const float* from = work + s.columns;
+  for (int i = 0; i < s.below; i += 2, ++node) {
+    float* to = x + 2 * static_cast<std::ptrdiff_t>(*node);
+    to[0] += from[i];
+    to[1] += from[i + 1];
+  }
+}
+
+/// x becomes L⁻ᵀ x.
+FOLDLESS_AVX2 void backward_single(const Supernode& s, const int* node, const float* value,
+                                   float* x, float* work) {
+  const int rows = s.rows(), wide = s.columns & ~3;
+  std::copy_n(x + s.first, s.columns, work);
+  float* to = work + s.columns;
+  for (int i = 0; i < s.below; i += 2, ++node) {
+    const float* from = x + 2 * static_cast<std::ptrdiff_t>(*node);
+    to[i] = from[0];
+    to[i + 1] = from[1];
+  }
+  std::fill_n(work + rows, kSingleOverrun, 0.0F);
+  if (wide < s.columns)
+    backward_columns<2>({value + static_cast<std::ptrdiff_t>(wide) * rows, rows, wide}, work);
+  for (int j = wide - 4; j >= 0; j -= 4)
+    backward_columns<4>({value + static_cast<std::ptrdiff_t>(j) * rows, rows, j}, work);
+  std::copy_n(work, s.columns, x + s.first);
+}
+
+#undef FOLDLESS_AVX2
+
+}  // namespace
+
+bool solves_in_single_precision() {
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}
+
+__attribute__((target("avx2,fma"))) void triangular_solve_single(const SymbolicFactor& factor,
+                                                                 const float* single, float* x,
+                                                                 float* work) {
+  const int* rows = factor.rows.data();
+  for (const Supernode& s : factor.supernodes)
+    forward_single(s, rows + s.row_start, single + s.value_start, x, work);
+  for (std::size_t k = factor.supernodes.size(); k-- > 0;) {
+    const Supernode& s = factor.supernodes[k];
+    backward_single(s, rows + s.row_start, single + s.value_start, x, work);
+  }
+}
+
+#else
+
+bool solves_in_single_precision() { return false; }
+void triangular_solve_single(const SymbolicFactor&, const float*, float*, float*) {}
+
+#endif
+
+}  // namespace foldless

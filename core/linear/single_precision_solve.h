@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/linear/symbolic_factor.h"
+
+namespace foldless {
+
+/// True where this processor solves in single precision faster than in double precision.
+bool solves_in_single_precision();
+
+/// The values that factorize() in multifrontal.h makes, in single precision, zero above the
+/// diagonal. `single` has room for factor.values + kSingleOverrun.
+void to_single_precision(const SymbolicFactor& factor, const double* values, float* single);
+/// So many values more are read than there are, and not used.
+constexpr std::size_t kSingleOverrun = 8;
+
+/// Solves L Lᵀ x = b in place, x and b in the order of elimination. `work` has room for as many
+/// values and kSingleOverrun more. Precondition: solves_in_single_precision().
+void triangular_solve_single(const SymbolicFactor& factor, const float* single, float* x,
+                             float* work);
+
+}  // namespace foldless

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/single_precision_solve.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "core/linear/cholesky.h"
+#include "core/linear/multifrontal.h"
+#include "core/linear/ordering.h"
+#include "core/linear/triangular_solve.h"
+#include "tests/support/random_symmetric.h"
+
+namespace foldless {
+namespace {
+
+constexpr unsigned kSingleSeeds = 60;
+
+TEST(SinglePrecisionSolve, IsThatOfDoublePrecisionButForRounding) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+  for (unsigned seed = 1; seed <= kSingleSeeds; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const SparseSymmetric m = test::dominated(test::random_symmetric(seed), seed);
+    const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m));
+    std::vector<double> values(factor.values);
+    UpdateStacks stacks;
+    ASSERT_EQ(factorize(factor, m, 0, values.data(), stacks), m.size());
+    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(m.size(), -1, 2), work;
+    Eigen::VectorXf single_x = x.cast<float>();
+    triangular_solve(factor, values.data(), x, work);
+    // What is behind the values and in the work space must not matter.
+    constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
+    std::vector<float> single(factor.values + kSingleOverrun, kNotANumber);
+    std::vector<float> single_work(static_cast<std::size_t>(m.size()) + kSingleOverrun,
+                                   kNotANumber);
+    to_single_precision(factor, values.data(), single.data());
+    triangular_solve_single(factor, single.data(), single_x.data(), single_work.data());
+    EXPECT_LT((single_x.cast<double>() - x).norm(), 1e-5 * x.norm());
+  }
+}
+
+TEST(SinglePrecisionSolve, PreconditionsLargeAndSmallRightHandSidesAlike) {
+  const SparseSymmetric m = test::dominated(test::random_symmetric(7), 7);
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  ASSERT_TRUE(cholesky.factorize(m));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  const Eigen::VectorXd x = cholesky.solve(b);
+  for (const double scale : {1.0, 1e-200, 1e200}) {
+    SCOPED_TRACE(scale);
+    EXPECT_LT((cholesky.precondition(scale * b) / scale - x).norm(), 1e-5 * x.norm());
+  }
+  EXPECT_TRUE(cholesky.precondition(Eigen::VectorXd::Zero(m.size())).isZero(0));
+}
+
+TEST(SinglePrecisionSolve, PreconditionsWithTheLatestFactor) {
+  const SparseSymmetric m = test::dominated(test::random_symmetric(7), 7);
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  for (const double shift : {0.0, 100.0}) {
+    ASSERT_TRUE(cholesky.factorize(m, shift));
+    const Eigen::VectorXd x = cholesky.solve(b);
+    EXPECT_LT((cholesky.precondition(b) - x).norm(), 1e-5 * x.norm());
+    Cholesky copy = cholesky;
+    EXPECT_EQ(copy.precondition(b), cholesky.precondition(b));
+  }
+}
+
+}  // namespace
+}  // namespace foldless
