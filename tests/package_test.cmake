@@ -16,7 +16,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --component development --prefix ${SCRATCH}/first)
-if(EXISTS ${SCRATCH}/first/bin OR EXISTS ${SCRATCH}/first/share)
+if(EXISTS ${SCRATCH}/first/bin OR EXISTS ${SCRATCH}/first/share/foldless)
   message(FATAL_ERROR "the component development holds more than the library")
 endif()
 file(RENAME ${SCRATCH}/first ${SCRATCH}/prefix)

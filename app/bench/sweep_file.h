@@ -32,6 +32,7 @@ class SweepFile {
   SweepFile(const SweepFile&) = delete;
   SweepFile& operator=(const SweepFile&) = delete;
 
+  const std::filesystem::path& name() const { return file_; }
   const std::vector<SweepRecord>& records() const { return records_; }
   /// Bytes of a line that was cut off.
   std::size_t cut_off() const { return cut_off_; }

@@ -57,14 +57,14 @@ struct Numbered {
 };
 
 /// The rows that the file has already; the jobs that it lacks stay.
-Rows take_done(const fs::path& name, const SweepFile& file, const Sweep& sweep,
-               const std::vector<BenchJob>& jobs, std::vector<Numbered>& mine) {
+Rows take_done(const SweepFile& file, const Sweep& sweep, const std::vector<BenchJob>& jobs,
+               std::vector<Numbered>& mine) {
   Rows rows;
   for (const SweepRecord& record : file.records()) {
     const std::size_t number = record.row.job;
     if (number >= jobs.size() ||
         record_of(jobs[number], number, sweep, jobs.size()).run != record.run)
-      throw Error(name.string() +
+      throw Error(file.name().string() +
                   ": has runs of another sweep, or of another version of the program; give this "
                   "one a file of its own");
     if (std::erase_if(mine, [&](const Numbered& job) { return job.number == number; }) > 0)
@@ -99,12 +99,13 @@ std::vector<BenchRow> run_sweep(const BenchCall& call, const std::vector<BenchJo
   Rows rows;
   if (call.append) {
     file.emplace(*call.append);
-    rows = take_done(*call.append, *file, sweep, jobs, mine);
+    rows = take_done(*file, sweep, jobs, mine);
     if (file->cut_off() > 0)
       print_notices({call.append->string() +
                      ": the last line had no end and was cut off; its run is made again"});
   }
   std::vector<BenchJob> missing;
+  missing.reserve(mine.size());
   for (const Numbered& job : mine) missing.push_back(job.job);
   Rows made = run(missing, [&](const BenchRow& row) {
     if (!file) return;

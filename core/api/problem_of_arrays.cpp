@@ -58,6 +58,7 @@ std::vector<Handle> handles_of_arrays(const MeshPair& mesh, const std::vector<in
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): what solve() takes, in its order
 Problem problem_of_arrays(const PointsRef& rest, const TrianglesRef& triangles,
                           const std::vector<int>& handles, const PointsRef& targets,
                           const SolveOptions& options) {

@@ -15,6 +15,7 @@ PointMatrix Result::map(const IndicesRef& inputs, const CoordinatesRef& coordina
   return rows_of(point_map->at(inputs, coordinates.transpose()));
 }
 
+// NOLINTNEXTLINE(readability-function-size): the order that callers know from other libraries
 Result solve(const PointsRef& rest, const TrianglesRef& triangles, const std::vector<int>& handles,
              const PointsRef& targets, const SolveOptions& options) {
   Session session(rest, triangles, handles, targets, options);
