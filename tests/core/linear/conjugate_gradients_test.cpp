@@ -57,7 +57,7 @@ TEST(Multiply, IsTheProductOfTheWholeMatrix) {
   }
 }
 
-// Both sizes: the simplicial and the supernodal factorization.
+// Both sizes: a few supernodes and many.
 class ConjugateGradientsTest : public testing::TestWithParam<int> {};
 
 TEST_P(ConjugateGradientsTest, SolveWithTheFactorOfANearMatrix) {
