@@ -22,7 +22,7 @@ struct EngineUnits {
 /// lose nothing more, and what is proved of this is proved of the file.
 BakedAnimation in_pixels(const BakedAnimation& animation, const EngineUnits& units);
 
-/// The triangles of a piece with vertices of their own.
+/// The triangles of a piece, which are manifold, with vertices of their own.
 struct EngineMesh {
   std::vector<int> vertices;  ///< of the animation; those of the hull first
   int hull = 0;               ///< vertices of the boundary loop that is longest, in its order
