@@ -12,7 +12,7 @@ namespace foldless {
 namespace {
 
 /// The vertices may become so many times those that the frames alone need.
-constexpr double kMostForStates = 2;
+constexpr double kMostForStates = 1.5;
 
 /// The states after frames that were asked for.
 using KnownStates = std::map<std::size_t, std::vector<std::shared_ptr<const Snapshot>>>;
@@ -45,8 +45,8 @@ class Baking {
         unproved_.insert(order_[step].frame);
         if (!hopeless_.contains(order_[step].frame)) steps.push_back(step);
       }
-      // Where there is no room left the frames are hopeless.
-      if (refined_.mesh().vertex_count() >= most) return true;
+      is_full_ = refined_.mesh().vertex_count() >= most;
+      if (is_full_) return true;
       // From the last on, so that the places of the others stay.
       for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
         if (!find_between(order_[*step].frame, states_between)) return false;
@@ -57,15 +57,19 @@ class Baking {
     }
   }
 
-  /// Frames to do without states after, if it is tried anew: those whose ways are not proved in
-  /// spite of them, or all that have any where these took the mesh off the solver's map.
+  /// Frames to do without states after, if it is tried anew: where the states took too many
+  /// vertices, or the mesh off the solver's map, those whose ways they do not prove; all where they
+  /// do.
   std::set<std::size_t> in_vain() const {
-    std::set<std::size_t> frames;
-    const bool is_off = refined_.deviation() > options_.tolerance;
-    for (const Entry& entry : order_)
-      if (entry.state > 0 && (is_off || unproved_.contains(entry.frame)))
-        frames.insert(entry.frame);
-    return frames;
+    std::set<std::size_t> with_states, unproved;
+    const bool is_near = refined_.deviation() <= options_.tolerance;
+    if (is_near && (!is_full_ || failures_of(result()).empty())) return {};
+    for (const Entry& entry : order_) {
+      if (entry.state == 0) continue;
+      with_states.insert(entry.frame);
+      if (unproved_.contains(entry.frame)) unproved.insert(entry.frame);
+    }
+    return unproved.empty() ? with_states : unproved;
   }
 
   BakedAnimation result() const {
@@ -145,6 +149,7 @@ class Baking {
   RefineBake refined_;
   std::vector<Entry> order_;
   std::set<std::size_t> unproved_;  ///< frames with a step after them that is not
+  bool is_full_ = false;            ///< there is no room for more vertices
 };
 
 }  // namespace

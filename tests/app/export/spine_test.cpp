@@ -159,7 +159,7 @@ TEST(Spine, TheAtlasHasARegionForEachAttachment) {
   EXPECT_EQ(spine_text(animation, pieces, "a b").atlas,
             "a b.png\nsize:3,2\nfilter:Linear,Linear\na b\nbounds:0,0,3,2\n");
   pieces.push_back(pieces[0]);
-  pieces[0].triangles.resize(5);
+  pieces[0].triangles.resize(4);
   pieces[1].triangles = {8, 9};
   const SpineText text = spine_text(animation, pieces, "a");
   const ReadSpine read(text.json);
