@@ -66,8 +66,8 @@ struct FramesToBake {
 /// the mesh gets the vertex or the crossing with the frame's edge at which it is furthest: with all
 /// edges of all frames it would be exact, but few are needed. Where the way between two frames is
 /// not proved, the state in the middle of those between them is baked as well, and so on; where the
-/// states take half as many vertices again as the frames alone, those that lead to no proof are left
-/// out. Returns nothing when the token was set.
+/// states take half as many vertices again as the frames alone, those that lead to no proof are
+/// left out. Returns nothing when the token was set.
 std::optional<BakedAnimation> bake(const FramesToBake& frames, const BakeOptions& options,
                                    const StatesBetween& states_between,
                                    const std::stop_token& token);
