@@ -55,7 +55,7 @@ std::vector<int> GrowingMesh::split_edge(int a, int b, const Vec2& at) {
 }
 
 std::vector<int> GrowingMesh::flip_edge(int a, int b) {
-  const std::vector<int> pair = beside(a, b);
+  std::vector<int> pair = beside(a, b);
   if (pair.size() != 2 || origin(pair[0]) != origin(pair[1])) return {};
   // The first triangle has the edge from a to b, the second back.
   const Eigen::Vector3i first = triangle(pair[0]), second = triangle(pair[1]);
