@@ -41,6 +41,7 @@ std::vector<std::vector<int>> loops_of(const Triangles& triangles, const Points&
   }
   std::ranges::stable_sort(loops, std::greater(), [](const auto& loop) { return loop.first; });
   std::vector<std::vector<int>> result;
+  result.reserve(loops.size());
   for (auto& loop : loops) result.push_back(std::move(loop.second));
   return result;
 }
