@@ -119,6 +119,7 @@ void append_animation(std::string& text, const BakedAnimation& animation,
 std::string godot_scene(const BakedAnimation& animation, const std::vector<GltfPiece>& pieces,
                         const std::string& name) {
   std::vector<EngineMesh> meshes;
+  meshes.reserve(pieces.size());
   for (const GltfPiece& piece : pieces) meshes.push_back(engine_mesh(animation, piece.triangles));
   const std::string root = node_name(name);
   std::string text = "[gd_scene load_steps=" + std::to_string(pieces.size() + 3) + " format=3]\n\n";
