@@ -14,13 +14,13 @@
 #include "app/cli/gltf_pieces.h"
 #include "app/cli/problem.h"
 #include "app/cli/progress_line.h"
+#include "app/export/animation_format.h"
+#include "app/export/baked_files.h"
 #include "core/error.h"
-#include "core/files/atomic_file.h"
 #include "core/files/text_lines.h"
 #include "core/run/interrupt.h"
 #include "core/run/solved_animation.h"
 #include "core/run/stop_watch.h"
-#include "core/scene/baked_io.h"
 #include "render/figure.h"
 
 namespace foldless {
@@ -64,10 +64,8 @@ std::array<int, 2> size_for(const Box& box) {
 }
 
 /// Throws Error where what is to be written would take the place of what it is made of.
-void expect_no_source(const std::filesystem::path& output, const Scene& scene,
+void expect_no_source(const std::vector<std::filesystem::path>& written, const Scene& scene,
                       const std::filesystem::path& scene_file) {
-  std::vector<std::filesystem::path> written{output};
-  if (output.extension() == ".json") written.push_back(picture_of_sheet(output));
   std::vector<std::filesystem::path> sources{scene_file};
   for (const std::string& path : {scene.mesh_path, scene.texture_path})
     if (!path.empty()) sources.push_back(scene.folder / path);
@@ -84,6 +82,7 @@ class Animate {
  public:
   Animate(const AnimateCall& call, Scene scene, const std::stop_token& token)
       : call_(call),
+        format_(*find_animation_format(call.output)),
         scene_(std::move(scene)),
         frames_(problem_at_rest(scene_), *scene_.animation),
         token_(token),
@@ -98,7 +97,7 @@ class Animate {
     gap_ = solved->gap;
     solved_ = std::move(solved->frames);
     cut_to_range();
-    return is_baked() ? write_baked() : write_pictures(fps);
+    return format_.is_baked() ? write_bake() : write_pictures(fps);
   }
 
  private:
@@ -121,8 +120,6 @@ class Animate {
     solved_.erase(solved_.begin(), solved_.begin() + first);
   }
 
-  bool is_baked() const { return call_.output.extension() == ".foldless" || is_gltf(); }
-  bool is_gltf() const { return call_.output.extension() == ".glb"; }
   bool is_whole_loop() const { return scene_.animation->cycle.loops && !call_.range; }
 
   void show(const char* what, std::size_t done, std::size_t count) {
@@ -180,7 +177,7 @@ class Animate {
     return figure;
   }
 
-  int write_baked() {
+  int write_bake() {
     FramesToBake frames{
         scene_.triangles,     {}, {}, is_whole_loop(), scene_.animation->cycle.frames,
         scene_.animation->fps};
@@ -194,15 +191,18 @@ class Animate {
         frames, {.tolerance = call_.tolerance * unit},
         [&](std::size_t frame) { return states_after(frame); }, token_);
     if (!baked) return kExitInterrupted;
-    const std::vector<BakedFailure> failures =
-        failures_of(is_gltf() ? in_single_precision(*baked) : *baked);
-    write_file_atomically(call_.output, is_gltf() ? gltf_binary(*baked, pieces_of(*baked))
-                                                  : baked_text(*baked, failures));
+    BakedLook look;
+    if (format_.kind != AnimationFormat::Kind::foldless) look.pieces = pieces_of(*baked);
+    look.units = engine_units(scene_.rest, look.pieces);
+    const BakedFiles files = baked_files(call_.output, format_, *baked, look);
+    for (const NamedBytes& other : files.others)
+      expect_no_source({call_.output.parent_path() / other.name}, scene_, call_.scene);
+    write_baked(call_.output, files);
     if (!call_.quiet) {
       print_frames(box);
-      print_bake(*baked, failures, unit);
+      print_bake(*baked, files.failures, unit);
     }
-    const bool is_good = failures.empty() && baked->deviation <= call_.tolerance * unit;
+    const bool is_good = files.failures.empty() && baked->deviation <= call_.tolerance * unit;
     return is_reached() && is_good ? kExitDone : kExitNotSatisfied;
   }
 
@@ -263,6 +263,7 @@ class Animate {
   }
 
   const AnimateCall& call_;
+  const AnimationFormat& format_;
   Scene scene_;
   Frames frames_;
   std::stop_token token_;
@@ -279,7 +280,10 @@ int animate(const AnimateCall& call) {
   if (!loaded.scene.animation)
     throw Error(call.scene.string() + ": has no animation; give its handles tracks under " +
                 "'animation'");
-  expect_no_source(call.output, loaded.scene, call.scene);
+  std::vector<std::filesystem::path> written{call.output};
+  if (find_animation_format(call.output)->kind == AnimationFormat::Kind::sheet)
+    written.push_back(picture_of_sheet(call.output));
+  expect_no_source(written, loaded.scene, call.scene);
   if (!call.quiet) print_notices(loaded.notices);
   const Interrupt interrupt;
   const StopWatch watch(

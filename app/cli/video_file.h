@@ -8,9 +8,6 @@
 
 namespace foldless {
 
-/// True for endings of videos: .mp4 and .webm.
-bool is_video(const std::filesystem::path& path);
-
 /// A video that the program ffmpeg makes of the pictures; the file takes its name when it is whole.
 /// A .webm keeps transparency. Throws Error, here or later, where there is no ffmpeg or it fails.
 std::unique_ptr<FilmOutput> video_file(const std::filesystem::path& path,

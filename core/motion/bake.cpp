@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/motion/refine_bake.h"
@@ -10,12 +11,22 @@
 namespace foldless {
 namespace {
 
+/// The vertices may become so many times those that the frames alone need.
+constexpr double kMostForStates = 1.5;
+
+/// The states after frames that were asked for.
+using KnownStates = std::map<std::size_t, std::vector<std::shared_ptr<const Snapshot>>>;
+
 /// The frames in order while states are put in between.
 class Baking {
  public:
-  Baking(const FramesToBake& frames, const BakeOptions& options)
+  /// No states are put in after `hopeless` frames. What it is given has to outlive it.
+  Baking(const FramesToBake& frames, const BakeOptions& options,
+         const std::set<std::size_t>& hopeless, KnownStates& between)
       : frames_(frames),
         options_(options),
+        hopeless_(hopeless),
+        between_(between),
         refined_(frames.original, frames.snapshots.front()->rest->leftCols(
                                       frames.snapshots.front()->original_vertices)) {
     for (std::size_t i = 0; i < frames.snapshots.size(); ++i)
@@ -23,18 +34,42 @@ class Baking {
   }
 
   bool run(const StatesBetween& states_between, const std::stop_token& token) {
-    if (!refine(token)) return false;
+    double most = options_.vertex_limit * frames_.snapshots.front()->original_vertices;
+    if (!refine(most, token)) return false;
+    most = std::min(most, kMostForStates * refined_.mesh().vertex_count());
     while (true) {
-      const std::vector<std::size_t> steps = steps_to_part();
+      unproved_.clear();
       bool has_parted = false;
+      std::vector<std::size_t> steps;
+      for (const std::size_t step : steps_to_part()) {
+        unproved_.insert(order_[step].frame);
+        if (!hopeless_.contains(order_[step].frame)) steps.push_back(step);
+      }
+      is_full_ = refined_.mesh().vertex_count() >= most;
+      if (is_full_) return true;
       // From the last on, so that the places of the others stay.
       for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
         if (!find_between(order_[*step].frame, states_between)) return false;
         has_parted = part(*step) || has_parted;
       }
       if (!has_parted) return true;
-      if (!refine(token)) return false;
+      if (!refine(most, token)) return false;
     }
+  }
+
+  /// Frames to do without states after, if it is tried anew: where the states took too many
+  /// vertices, or the mesh off the solver's map, those whose ways they do not prove; all where they
+  /// do.
+  std::set<std::size_t> in_vain() const {
+    std::set<std::size_t> with_states, unproved;
+    const bool is_near = refined_.deviation() <= options_.tolerance;
+    if (is_near && (!is_full_ || failures_of(result()).empty())) return {};
+    for (const Entry& entry : order_) {
+      if (entry.state == 0) continue;
+      with_states.insert(entry.frame);
+      if (unproved_.contains(entry.frame)) unproved.insert(entry.frame);
+    }
+    return unproved.empty() ? with_states : unproved;
   }
 
   BakedAnimation result() const {
@@ -59,8 +94,7 @@ class Baking {
     std::size_t number;  ///< in `refined_`
   };
 
-  bool refine(const std::stop_token& token) {
-    const double most = options_.vertex_limit * frames_.snapshots.front()->original_vertices;
+  bool refine(double most, const std::stop_token& token) {
     return refined_.refine(options_.tolerance, static_cast<int>(std::min(most, 1e9)), token);
   }
 
@@ -108,11 +142,14 @@ class Baking {
     return true;
   }
 
-  FramesToBake frames_;
-  BakeOptions options_;
+  const FramesToBake& frames_;
+  const BakeOptions& options_;
+  const std::set<std::size_t>& hopeless_;
+  KnownStates& between_;
   RefineBake refined_;
   std::vector<Entry> order_;
-  std::map<std::size_t, std::vector<std::shared_ptr<const Snapshot>>> between_;  ///< by frame
+  std::set<std::size_t> unproved_;  ///< frames with a step after them that is not
+  bool is_full_ = false;            ///< there is no room for more vertices
 };
 
 }  // namespace
@@ -120,9 +157,15 @@ class Baking {
 std::optional<BakedAnimation> bake(const FramesToBake& frames, const BakeOptions& options,
                                    const StatesBetween& states_between,
                                    const std::stop_token& token) {
-  Baking baking(frames, options);
-  if (!baking.run(states_between, token)) return std::nullopt;
-  return baking.result();
+  std::set<std::size_t> hopeless;
+  KnownStates between;
+  while (true) {
+    Baking baking(frames, options, hopeless, between);
+    if (!baking.run(states_between, token)) return std::nullopt;
+    const std::set<std::size_t> in_vain = baking.in_vain();
+    if (in_vain.empty()) return baking.result();
+    hopeless.insert(in_vain.begin(), in_vain.end());
+  }
 }
 
 std::vector<BakedFailure> failures_of(const BakedAnimation& animation) {

@@ -42,7 +42,7 @@ struct BakedAnimation {
 /// What a bake is to keep to.
 struct BakeOptions {
   double tolerance = 0;      ///< of the deviation [length]
-  double vertex_limit = 16;  ///< most vertices, times those of the drawing
+  double vertex_limit = 32;  ///< most vertices, times those of the drawing
 };
 
 /// The states between the frame of this number and the one after it that lead from one to the
@@ -65,8 +65,9 @@ struct FramesToBake {
 /// take it. Where a triangle turns over or a point is further from the solver's than the tolerance,
 /// the mesh gets the vertex or the crossing with the frame's edge at which it is furthest: with all
 /// edges of all frames it would be exact, but few are needed. Where the way between two frames is
-/// not proved, the state in the middle of those between them is baked as well, and so on.
-/// Returns nothing when the token was set.
+/// not proved, the state in the middle of those between them is baked as well, and so on; where the
+/// states take half as many vertices again as the frames alone, those that lead to no proof are
+/// left out. Returns nothing when the token was set.
 std::optional<BakedAnimation> bake(const FramesToBake& frames, const BakeOptions& options,
                                    const StatesBetween& states_between,
                                    const std::stop_token& token);

@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/mesh/orientation.h"
 
 namespace foldless {
 namespace {
 
-/// Area over the square of the longest edge: where a frame takes a thinner triangle would be a
-/// matter of rounding.
-constexpr double kLeastShape = 1e-5;
+/// See shape(): where a frame takes a thinner triangle would be a matter of rounding.
+constexpr double kLeastShape = 1e-6;
 
 Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -54,6 +54,33 @@ std::vector<int> GrowingMesh::split_edge(int a, int b, const Vec2& at) {
   return replace(replacements, at);
 }
 
+std::vector<int> GrowingMesh::flip_edge(int a, int b) {
+  std::vector<int> pair = beside(a, b);
+  if (pair.size() != 2 || origin(pair[0]) != origin(pair[1])) return {};
+  // The first triangle has the edge from a to b, the second back.
+  const Eigen::Vector3i first = triangle(pair[0]), second = triangle(pair[1]);
+  for (int k = 0; k < 3; ++k)
+    if (first[k] == b && first[(k + 1) % 3] == a) std::swap(a, b);
+  const int c = first.sum() - a - b, d = second.sum() - a - b;
+  const double before = std::min(shape(first), shape(second));
+  const auto is_better = [&](const Eigen::Vector3i& t) {
+    return orientation(rest(t[0]), rest(t[1]), rest(t[2])) > 0 && shape(t) > before;
+  };
+  const Eigen::Vector3i at_a{c, a, d}, at_b{d, b, c};
+  if (!is_better(at_a) || !is_better(at_b)) return {};
+  for (const int t : pair) leave(t);
+  triangles_[static_cast<std::size_t>(pair[0])] = at_a;
+  triangles_[static_cast<std::size_t>(pair[1])] = at_b;
+  for (const int t : pair) enter(t);
+  return pair;
+}
+
+double GrowingMesh::shape(const Eigen::Vector3i& t) const {
+  const Vec2 a = rest(t[0]), b = rest(t[1]), c = rest(t[2]);
+  return signed_area(a, b, c) /
+         std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+}
+
 std::vector<int> GrowingMesh::split_triangle(int t, const Vec2& at) {
   const int v = vertex_count();
   const Eigen::Vector3i c = triangle(t);
@@ -64,10 +91,7 @@ std::vector<int> GrowingMesh::replace(const std::vector<Replacement>& replacemen
                                       const Vec2& at) {
   rest_.push_back(at);
   const auto is_good = [&](const Eigen::Vector3i& t) {
-    const Vec2 a = rest(t[0]), b = rest(t[1]), c = rest(t[2]);
-    const double longest =
-        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    return orientation(a, b, c) > 0 && signed_area(a, b, c) >= kLeastShape * longest;
+    return orientation(rest(t[0]), rest(t[1]), rest(t[2])) > 0 && shape(t) >= kLeastShape;
   };
   for (const Replacement& replacement : replacements)
     if (!std::ranges::all_of(replacement.parts, is_good)) {

@@ -18,6 +18,8 @@ class GrowingMesh {
   int face_count() const { return static_cast<int>(triangles_.size()); }
   const Eigen::Vector3i& triangle(int t) const { return triangles_[static_cast<std::size_t>(t)]; }
   int origin(int t) const { return origins_[static_cast<std::size_t>(t)]; }
+  /// Area over the square of the longest edge, of a triangle at rest.
+  double shape(const Eigen::Vector3i& t) const;
   const Vec2& rest(int v) const { return rest_[static_cast<std::size_t>(v)]; }
 
   /// A vertex on the edge from a to b, or inside of a triangle; it becomes the last. Returns the
@@ -25,6 +27,9 @@ class GrowingMesh {
   /// or a needle: then nothing was added.
   std::vector<int> split_edge(int a, int b, const Vec2& at);
   std::vector<int> split_triangle(int t, const Vec2& at);
+  /// Replaces the edge between two triangles of one origin by the other diagonal, where that makes
+  /// the thinner of the two less thin. Returns them; none where it was not replaced.
+  std::vector<int> flip_edge(int a, int b);
 
   Triangles triangles() const;
   Points rest() const;

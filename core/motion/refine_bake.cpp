@@ -15,6 +15,10 @@ namespace {
 /// Of the longest edge of the drawing's triangle around it.
 constexpr double kShortestHalved = 1.0 / 32;
 
+/// Triangles of a lesser shape have their edges flipped rather than split: a vertex lies close to
+/// the edge then, and another on the edge beside it would make thinner ones.
+constexpr double kThin = 0.01;
+
 }  // namespace
 
 RefineBake::RefineBake(const Triangles& original, const Points& rest)
@@ -135,8 +139,16 @@ void RefineBake::place_last_vertex(int origin) {
     deformed_[frame].push_back(maps_[frame].at(rest, origin));
 }
 
-/// Adds the first of the points that can be added, or, where all of them would make needles, halves
-/// the longest edge. Marks the triangles that it changed.
+void RefineBake::mark(const std::vector<int>& made, std::vector<bool>& changed) {
+  changed.resize(static_cast<std::size_t>(mesh_.face_count()), false);
+  for (const int t : made) {
+    changed[static_cast<std::size_t>(t)] = true;
+    unsettled_.insert(t);
+  }
+}
+
+/// Adds the first of the points that can be added, or, where all of them would make needles, flips
+/// an edge or halves the longest. Marks the triangles that it changed.
 void RefineBake::mend(int t, const std::vector<Parting>& partings, std::vector<bool>& changed) {
   const int origin = mesh_.origin(t);
   const auto add = [&](const Parting& parting) {
@@ -145,14 +157,17 @@ void RefineBake::mend(int t, const std::vector<Parting>& partings, std::vector<b
                                        : mesh_.split_triangle(t, parting.at);
     if (made.empty()) return false;
     place_last_vertex(origin);
-    changed.resize(static_cast<std::size_t>(mesh_.face_count()), false);
-    for (const int other : made) {
-      changed[static_cast<std::size_t>(other)] = true;
-      unsettled_.insert(other);
-    }
+    mark(made, changed);
     return true;
   };
-  if (std::ranges::any_of(partings, add)) return;
+  const auto flip = [&](const Parting& parting) {
+    if (!parting.edge) return false;
+    const std::vector<int> made = mesh_.flip_edge((*parting.edge)[0], (*parting.edge)[1]);
+    mark(made, changed);
+    return !made.empty();
+  };
+  if (mesh_.shape(mesh_.triangle(t)) < kThin && std::ranges::any_of(partings, flip)) return;
+  if (std::ranges::any_of(partings, add) || std::ranges::any_of(partings, flip)) return;
   const auto [edge, length] = longest_edge(t);
   if (length < kShortestHalved * longest_of_origin_[static_cast<std::size_t>(origin)]) return;
   add({0, 0.5 * (mesh_.rest(edge[0]) + mesh_.rest(edge[1])), edge});

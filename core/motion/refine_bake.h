@@ -41,6 +41,7 @@ class RefineBake {
   void add_crossings(int t, std::size_t frame, int other, std::vector<Parting>& found) const;
   void add_vertices(int t, std::size_t frame, int other, std::vector<Parting>& found) const;
   std::optional<std::vector<Parting>> what_to_mend(int t, double tolerance) const;
+  void mark(const std::vector<int>& made, std::vector<bool>& changed);
   void mend(int t, const std::vector<Parting>& partings, std::vector<bool>& changed);
   std::pair<Edge, double> longest_edge(int t) const;
   void place_last_vertex(int origin);

@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
+#include <thread>
 
 #include "core/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"
@@ -51,6 +53,15 @@ Faulted run_with_fault(const std::vector<std::string>& arguments, const std::str
   ::waitpid(process, &ended, 0);
   return {fs::exists(notes / "mark"), WIFEXITED(ended) ? WEXITSTATUS(ended) : -WTERMSIG(ended),
           read_file(notes / "err")};
+}
+
+void run_and_kill(const std::vector<std::string>& arguments, std::chrono::microseconds time) {
+  const TemporaryFolder notes;
+  const pid_t process = ::fork();
+  if (process == 0) become_program(arguments, "", {}, notes);
+  std::this_thread::sleep_for(time);
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
 }
 
 Files files_in(const fs::path& folder) {

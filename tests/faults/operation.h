@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -19,6 +20,9 @@ struct Faulted {
 /// none.
 Faulted run_with_fault(const std::vector<std::string>& arguments, const std::string& fault,
                        const std::filesystem::path& folder);
+
+/// Runs the program and kills it after a time, if it lives so long.
+void run_and_kill(const std::vector<std::string>& arguments, std::chrono::microseconds time);
 
 /// The bytes of all files below a folder, by their paths in it.
 using Files = std::map<std::string, std::string>;

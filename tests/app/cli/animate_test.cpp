@@ -125,7 +125,7 @@ TEST(AnimateCall, WhatItIsMadeOfIsNotWrittenOver) {
   fs::copy_file(data_path("assets/meshes/gingerbread.obj"), folder / "body.obj");
   save_png(folder / "walk.png", Image(4, 4));
   const std::string picture = read_file(folder / "walk.png");
-  for (const char* name : {"walk.json", "walk.png"}) {
+  for (const char* name : {"walk.json", "walk.png", "walk.tscn", "walk.spine.json"}) {
     const Ended ended = test::run({"animate", scene, "-o", folder / name});
     EXPECT_EQ(ended.status, 2);
     EXPECT_NE(ended.err.find("the animation is made of it"), ended.err.npos) << ended.err;
@@ -162,6 +162,27 @@ TEST(AnimateCall, GltfIsProvedInSinglePrecision) {
     const auto document = nlohmann::json::parse(bytes.substr(20, bytes.find("BIN") - 24));
     EXPECT_GE(document["meshes"][0]["primitives"][0]["targets"].size(), 23U);
   }
+}
+
+TEST(AnimateCall, FilesOfEnginesHaveTheirPicturesBesideThem) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.spine.json", "b.tscn"}) {
+    const Ended ended = test::run({"animate", sample("turn_360"), "-o", folder / name});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_NE(ended.out.find("proved to be injective at every moment"), ended.out.npos)
+        << ended.out;
+  }
+  EXPECT_EQ(entries_in(folder.path()), 5U);
+  const auto skeleton = nlohmann::json::parse(read_file(folder / "a.spine.json"));
+  EXPECT_EQ(skeleton["animations"]["a"]["attachments"]["default"]["a"]["a"]["deform"].size(), 49U);
+  EXPECT_NEAR(skeleton["skeleton"]["width"].get<double>(), 1024, 2) << "a disk at rest";
+  EXPECT_NEAR(skeleton["skeleton"]["x"].get<double>(), -512, 1) << "about its middle";
+  const Image picture = load_image(folder / "a.png");
+  EXPECT_TRUE(read_file(folder / "a.atlas")
+                  .starts_with("a.png\nsize:" + std::to_string(picture.width) + "," +
+                               std::to_string(picture.height) + "\n"));
+  EXPECT_EQ(load_image(folder / "b.png"), picture);
+  EXPECT_NE(read_file(folder / "b.tscn").find("path=\"b.png\""), std::string::npos);
 }
 
 TEST(AnimateCall, FilmsAreWhole) {

@@ -6,37 +6,15 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/meshes.h"
+#include "tests/app/export/bent_grid.h"
 
 namespace foldless {
 namespace {
 
 using nlohmann::json;
 
-BakedAnimation grid_that_bends(bool loops) {
-  const test::Fixture f = test::square_grid(4);
-  BakedAnimation animation;
-  animation.triangles = f.triangles;
-  animation.rest = f.rest;
-  animation.loops = loops;
-  animation.cycle_frames = 4;
-  animation.fps = 10;
-  for (const double frame : {0.0, 1.0, 1.5, 3.0}) {
-    Points bent = f.rest;
-    bent.row(0) += (0.3 * (frame + 0.1) * f.rest.row(1).array().sin()).matrix();
-    animation.frames.push_back({frame, bent});
-  }
-  return animation;
-}
-
-std::vector<GltfPiece> one_piece(const BakedAnimation& animation) {
-  GltfPiece piece;
-  for (int t = 0; t < animation.triangles.cols(); ++t) piece.triangles.push_back(t);
-  piece.image = Image(3, 2);
-  std::ranges::fill(piece.image.pixels, std::uint8_t{200});
-  piece.place = {{-1, 0}, {4, 5}};
-  return {piece};
-}
+using test::grid_that_bends;
+using test::one_piece;
 
 std::uint32_t u32(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;

@@ -174,6 +174,30 @@ TEST_F(BakedTurn, AJumpThatNoStatesBridgeIsNamed) {
   EXPECT_NEAR(failures[0].failure.moment, 0.5, 1e-12);
 }
 
+TEST_F(BakedTurn, StatesThatTakeManyVerticesForNoProofAreLeftOut) {
+  const FramesToBake jump = frames({0, 1});
+  std::size_t asked = 0;
+  const auto states = [&](std::size_t) {
+    ++asked;
+    States remeshed;
+    for (unsigned seed = 1; seed < 9; ++seed) {
+      std::mt19937 random(seed);
+      const PlaneMap map =
+          seed < 5 ? bent(0) : [](const Vec2& p) { return turned(p, std::numbers::pi); };
+      remeshed.push_back(test::remeshed_frame(grid_, map, random, 60));
+    }
+    return std::optional(remeshed);
+  };
+  const auto baked = bake(jump, {1e-3, 16}, states, {});
+  ASSERT_TRUE(baked);
+  EXPECT_EQ(asked, 1U);
+  EXPECT_EQ(baked->frames.size(), 2U);
+  EXPECT_EQ(baked->rest.cols(), 16) << "as many as the frames need";
+  const std::vector<BakedFailure> failures = failures_of(*baked);
+  ASSERT_EQ(failures.size(), 1U);
+  EXPECT_NEAR(failures[0].failure.moment, 0.5, 1e-12);
+}
+
 TEST(Bake, EndsWhenItIsStopped) {
   const Fixture f = test::square_grid(5);
   std::stop_source stop;
