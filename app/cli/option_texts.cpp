@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "app/export/animation_format.h"
 #include "core/energy/densities.h"
 #include "core/error.h"
 #include "core/files/text_lines.h"
@@ -194,12 +195,8 @@ EditorPictureCall editor_picture(const Texts& texts, const RenderCall& call) {
 }
 
 void read_animate(const Texts& texts, bool is_transparent, AnimateCall& call) {
-  constexpr std::array<std::string_view, 9> kEndings{"",      ".png",  ".gif", ".webp",    ".mp4",
-                                                     ".webm", ".json", ".glb", ".foldless"};
-  if (std::ranges::find(kEndings, call.output.extension().string()) == kEndings.end())
-    throw Error(call.output.string() +
-                ": animate writes .png, .gif, .webp, .mp4, .webm, .json, .glb, .foldless or a "
-                "folder of pictures");
+  if (!find_animation_format(call.output))
+    throw Error(call.output.string() + ": animate writes " + animation_endings());
   RenderCall look;
   look.figure = call.figure;
   read_render(texts, is_transparent, look);

@@ -60,7 +60,7 @@ class TimeLineDrawing {
   void draw_ruler() {
     const int step = ruler_step(place_, look_.px(44));
     const float y = place_.area.y;
-    const float play_head = place_.x_of(editor_.motion().frame());
+    const float play_head = place_.x_of(editor_.motion().moment());
     for (int frame = 0; frame <= place_.last; frame += step) {
       const float x = place_.x_of(frame);
       list_.AddLine({x, y + place_.ruler * 0.6F}, {x, bottom()}, packed(look_.palette->dim, 0.35F));
@@ -140,10 +140,10 @@ class TimeLineDrawing {
   }
 
   void draw_play_head() {
-    const float x = place_.x_of(editor_.motion().frame());
+    const float x = place_.x_of(editor_.motion().moment());
     const ImU32 colour = packed(look_.palette->accent);
     list_.AddLine({x, place_.area.y}, {x, bottom()}, colour, look_.px(1.6F));
-    const std::string words = std::to_string(editor_.motion().frame());
+    const std::string words = moment_words(editor_.motion().moment());
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     const float half = size.x / 2 + look_.px(4);
     list_.AddRectFilled({x - half, place_.area.y}, {x + half, place_.area.y + size.y}, colour,

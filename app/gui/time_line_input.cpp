@@ -39,7 +39,7 @@ class Hand {
     if (ImGui::IsItemActivated() && io_.MouseDown[ImGuiMouseButton_Left]) press();
     if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) open_menu();
     if (gesture_.kind != Kind::none && ImGui::IsKeyPressed(ImGuiKey_Escape)) gesture_ = {};
-    if (gesture_.kind == Kind::scrub) motion_.go_to(place_.frame_at(io_.MousePos.x));
+    if (gesture_.kind == Kind::scrub) scrub();
     if (gesture_.kind == Kind::band) select_band();
     if (gesture_.kind != Kind::none && !io_.MouseDown[ImGuiMouseButton_Left]) release();
     draw_menu();
@@ -50,6 +50,13 @@ class Hand {
     const int most = std::max(0, static_cast<int>(rows_.size()) - place_.rows_in_sight());
     if (ImGui::IsItemHovered()) state_.first_row -= static_cast<int>(io_.MouseWheel);
     state_.first_row = std::clamp(state_.first_row, 0, most);
+  }
+
+  void scrub() {
+    if (io_.KeyAlt)
+      motion_.go_between(place_.moment_at(io_.MousePos.x));
+    else
+      motion_.go_to(place_.frame_at(io_.MousePos.x));
   }
 
   /// The keys under the pointer: several in the row of all.

@@ -21,10 +21,12 @@ std::vector<TimeLineRow> time_line_rows(const Animation& animation) {
   return rows;
 }
 
-int TimeLinePlace::frame_at(float x) const {
-  const float share = (x - left()) / std::max(1.0F, width());
-  return std::clamp(static_cast<int>(std::lround(share * static_cast<float>(last))), 0, last);
+double TimeLinePlace::moment_at(float x) const {
+  const double share = static_cast<double>((x - left()) / std::max(1.0F, width()));
+  return std::clamp(share * last, 0.0, static_cast<double>(last));
 }
+
+int TimeLinePlace::frame_at(float x) const { return static_cast<int>(std::lround(moment_at(x))); }
 
 int TimeLinePlace::row_at(float y) const {
   return static_cast<int>(std::floor((y - area.y - ruler) / row)) - 1 + first_row;

@@ -30,6 +30,8 @@ struct TimeLinePlace {
   float x_of(double frame) const {
     return left() + width() * static_cast<float>(frame) / static_cast<float>(last);
   }
+  /// Any moment, kept within the cycle. [frames]
+  double moment_at(float x) const;
   /// The nearest frame.
   int frame_at(float x) const;
   float y_of_all() const { return area.y + ruler + row / 2; }

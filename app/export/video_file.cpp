@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/video_file.h"
+#include "app/export/video_file.h"
 
 #include <signal.h>
 #include <spawn.h>
@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -175,6 +176,14 @@ class VideoFile : public FilmOutput {
 
 bool is_video(const fs::path& path) {
   return path.extension() == ".mp4" || path.extension() == ".webm";
+}
+
+bool has_ffmpeg() {
+  const char* const variable = std::getenv("PATH");
+  std::istringstream folders(variable ? variable : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((fs::path(folder) / "ffmpeg").c_str(), X_OK) == 0) return true;
+  return false;
 }
 
 std::unique_ptr<FilmOutput> video_file(const fs::path& path, const FilmOptions& options) {

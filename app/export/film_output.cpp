@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/film_output.h"
+#include "app/export/film_output.h"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "app/cli/video_file.h"
+#include "app/export/video_file.h"
 #include "app/export/sprite_sheet.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"

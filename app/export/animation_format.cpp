@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/animation_format.h"
+
+#include <array>
+
+namespace foldless {
+namespace {
+
+using Kind = AnimationFormat::Kind;
+
+constexpr std::array<AnimationFormat, 9> kFormats{{
+    {Kind::film, ".png", "animated PNG"},
+    {Kind::film, ".gif", "animated GIF"},
+    {Kind::film, ".webp", "animated WebP"},
+    {Kind::video, ".mp4", "MP4 video"},
+    {Kind::video, ".webm", "WebM video"},
+    {Kind::sheet, ".json", "sprite sheet"},
+    {Kind::gltf, ".glb", "glTF, baked"},
+    {Kind::foldless, ".foldless", "Foldless animation, baked"},
+    {Kind::folder, "", "folder of pictures"},
+}};
+
+}  // namespace
+
+std::span<const AnimationFormat> animation_formats() { return kFormats; }
+
+const AnimationFormat* find_animation_format(const std::filesystem::path& path) {
+  const std::string name = path.filename();
+  const AnimationFormat* found = nullptr;
+  for (const AnimationFormat& format : kFormats) {
+    const bool fits = format.ending.empty() ? !path.has_extension() : name.ends_with(format.ending);
+    if (fits && (!found || format.ending.size() > found->ending.size())) found = &format;
+  }
+  return found;
+}
+
+std::string animation_endings() {
+  std::string text;
+  for (const AnimationFormat& format : kFormats)
+    if (!format.ending.empty()) text.append(format.ending).append(", ");
+  return text.substr(0, text.size() - 2) + " or a folder of pictures";
+}
+
+}  // namespace foldless
