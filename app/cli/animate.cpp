@@ -41,6 +41,7 @@ class Animate {
 
   int run() {
     fill_in();
+    expect_no_source(animation_);
     const auto progress = [&](std::size_t done, std::size_t count) { show("solved", done, count); };
     auto solved = solve_animation(
         frames_, {moments_to_solve(), closing_tolerance(scene_->rest), progress}, token_);
@@ -57,6 +58,7 @@ class Animate {
     animation_.output = call_.output;
     animation_.format = *find_animation_format(call_.output);
     animation_.scene = scene_;
+    animation_.scene_file = call_.scene;
     animation_.loops = scene_->animation->cycle.loops && !call_.range;
     animation_.fps = call_.fps.value_or(scene_->animation->fps);
     animation_.size = call_.size;
@@ -181,7 +183,6 @@ int animate(const AnimateCall& call) {
   if (!loaded.scene.animation)
     throw Error(call.scene.string() + ": has no animation; give its handles tracks under " +
                 "'animation'");
-  expect_no_source(call.output, *find_animation_format(call.output), loaded.scene, call.scene);
   if (!call.quiet) print_notices(loaded.notices);
   const Interrupt interrupt;
   const StopWatch watch(

@@ -51,8 +51,7 @@ struct SolveCall {
 /// `foldless animate SCENE -o OUT`
 struct AnimateCall {
   std::filesystem::path scene;
-  std::filesystem::path
-      output;  ///< .png, .gif, .webp, .mp4, .webm, .json, .glb, .foldless, or a folder
+  std::filesystem::path output;             ///< its ending is one of animation_formats()
   std::optional<double> fps;                ///< absent: that of the animation
   std::optional<std::array<int, 2>> range;  ///< first and last frame
   std::optional<std::array<int, 2>> size;   ///< width and height [pixels]

@@ -62,9 +62,8 @@ CLI::App* add_animate(CLI::App& app, AnimateCall& call, Texts& texts, RenderFlag
   animate->add_option("SCENE", call.scene, "scene file with an animation")->required();
   animate
       ->add_option("-o,--output", call.output,
-                   ".png (animated), .gif, .webp, .mp4, .webm, .json (sprite sheet), .glb or "
-                   ".foldless (baked), "
-                   "or a new folder")
+                   ".png (animated), .gif, .webp, .mp4, .webm, .json (sprite sheet), .glb, "
+                   ".spine.json, .tscn or .foldless (baked), or a new folder")
       ->required()
       ->type_name("OUT");
   animate->add_option("--fps", texts.fps, "frames a second, those of the scene when absent")

@@ -8,7 +8,7 @@ namespace {
 
 using Kind = AnimationFormat::Kind;
 
-constexpr std::array<AnimationFormat, 9> kFormats{{
+constexpr std::array<AnimationFormat, 11> kFormats{{
     {Kind::film, ".png", "animated PNG"},
     {Kind::film, ".gif", "animated GIF"},
     {Kind::film, ".webp", "animated WebP"},
@@ -16,6 +16,8 @@ constexpr std::array<AnimationFormat, 9> kFormats{{
     {Kind::video, ".webm", "WebM video"},
     {Kind::sheet, ".json", "sprite sheet"},
     {Kind::gltf, ".glb", "glTF, baked"},
+    {Kind::spine, ".spine.json", "Spine, baked"},
+    {Kind::godot, ".tscn", "Godot scene, baked"},
     {Kind::foldless, ".foldless", "Foldless animation, baked"},
     {Kind::folder, "", "folder of pictures"},
 }};
@@ -39,6 +41,11 @@ std::string animation_endings() {
   for (const AnimationFormat& format : kFormats)
     if (!format.ending.empty()) text.append(format.ending).append(", ");
   return text.substr(0, text.size() - 2) + " or a folder of pictures";
+}
+
+std::string name_without_ending(const std::filesystem::path& path, const AnimationFormat& format) {
+  const std::string name = path.filename();
+  return name.substr(0, name.size() - format.ending.size());
 }
 
 }  // namespace foldless

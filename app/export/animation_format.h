@@ -17,6 +17,8 @@ struct AnimationFormat {
     sheet,     ///< pictures on one, with a file that tells where
     folder,    ///< a picture a file
     gltf,      ///< baked, as the following: the mesh and its vertices' places over time
+    spine,     ///< and two files beside it
+    godot,     ///< and pictures beside it
     foldless,  ///< with the proof, read back by `check`
   };
   Kind kind;
@@ -34,5 +36,8 @@ const AnimationFormat* find_animation_format(const std::filesystem::path& path);
 
 /// `.png, .gif ... or a folder of pictures`.
 std::string animation_endings();
+
+/// `walk` of `walk.spine.json`.
+std::string name_without_ending(const std::filesystem::path& path, const AnimationFormat& format);
 
 }  // namespace foldless

@@ -5,13 +5,12 @@
 #include <string>
 #include <utility>
 
+#include "app/export/baked_files.h"
 #include "app/export/film_output.h"
 #include "app/export/gltf_pieces.h"
 #include "app/export/texture_place.h"
 #include "core/error.h"
-#include "core/files/atomic_file.h"
 #include "core/run/solved_bake.h"
-#include "core/scene/baked_io.h"
 
 namespace foldless {
 namespace {
@@ -37,6 +36,18 @@ bool show_samples(const std::vector<SolvedFrame>& solved, const AnimationMeans& 
   return true;
 }
 
+void expect_no_source(const AnimationToWrite& animation, const std::filesystem::path& written) {
+  const Scene& scene = *animation.scene;
+  std::vector<std::filesystem::path> sources{animation.scene_file};
+  for (const std::string& path : {scene.mesh_path, scene.texture_path})
+    if (!path.empty()) sources.push_back(scene.folder / path);
+  for (const std::filesystem::path& source : sources) {
+    std::error_code ignored;  // They are not there.
+    if (std::filesystem::equivalent(written, source, ignored))
+      throw Error(written.string() + ": the animation is made of it; write it under another name");
+  }
+}
+
 }  // namespace
 
 FigureOptions figure_of(const AnimationToWrite& animation) {
@@ -56,19 +67,10 @@ FigureOptions figure_of(const AnimationToWrite& animation) {
   return figure;
 }
 
-void expect_no_source(const std::filesystem::path& output, const AnimationFormat& format,
-                      const Scene& scene, const std::filesystem::path& scene_file) {
-  std::vector<std::filesystem::path> written{output};
-  if (format.kind == Kind::sheet) written.push_back(picture_of_sheet(output));
-  std::vector<std::filesystem::path> sources{scene_file};
-  for (const std::string& path : {scene.mesh_path, scene.texture_path})
-    if (!path.empty()) sources.push_back(scene.folder / path);
-  for (const std::filesystem::path& file : written)
-    for (const std::filesystem::path& source : sources) {
-      std::error_code ignored;  // They are not there.
-      if (std::filesystem::equivalent(file, source, ignored))
-        throw Error(file.string() + ": the animation is made of it; write it under another name");
-    }
+void expect_no_source(const AnimationToWrite& animation) {
+  expect_no_source(animation, {animation.output});
+  if (animation.format.kind == Kind::sheet)
+    expect_no_source(animation, {picture_of_sheet(animation.output)});
 }
 
 bool write_pictures(const AnimationToWrite& animation, const AnimationMeans& means,
@@ -97,15 +99,16 @@ std::optional<WrittenBake> write_bake(const AnimationToWrite& animation, const F
       {animation.scene->triangles, animation.solved, animation.loops, animation.tolerance * pixel},
       token);
   if (!baked || token.stop_requested()) return std::nullopt;
+  BakedLook look;
+  if (animation.format.kind != Kind::foldless)
+    look.pieces = gltf_pieces(*animation.scene, *baked, animation.texture);
+  look.units = engine_units(animation.scene->rest, look.pieces);
+  BakedFiles files = baked_files(animation.output, animation.format, *baked, look);
+  for (const NamedBytes& other : files.others)
+    expect_no_source(animation, animation.output.parent_path() / other.name);
+  write_baked(animation.output, files);
   WrittenBake written;
-  const bool is_gltf = animation.format.kind == Kind::gltf;
-  written.failures = failures_of(is_gltf ? in_single_precision(*baked) : *baked);
-  if (is_gltf)
-    write_file_atomically(
-        animation.output,
-        gltf_binary(*baked, gltf_pieces(*animation.scene, *baked, animation.texture)));
-  else
-    write_file_atomically(animation.output, baked_text(*baked, written.failures));
+  written.failures = std::move(files.failures);
   written.deviation = baked->deviation / pixel;
   written.baked = std::move(*baked);
   return written;

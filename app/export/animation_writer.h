@@ -23,6 +23,7 @@ struct AnimationToWrite {
   std::filesystem::path output;
   AnimationFormat format;
   std::shared_ptr<const Scene> scene;
+  std::filesystem::path scene_file;              ///< that it was read from; empty: none
   std::shared_ptr<const TexturePieces> texture;  ///< null: the checkerboard
   std::vector<SolvedFrame> solved;               ///< not empty
   bool loops = false;                            ///< they are all frames of a loop
@@ -45,10 +46,9 @@ struct AnimationMeans {
   std::function<void(std::size_t done, std::size_t count)> progress;
 };
 
-/// Throws Error where a file that the animation needs would be written over: the scene's own, its
-/// mesh or its texture. `scene_file` may be empty.
-void expect_no_source(const std::filesystem::path& output, const AnimationFormat& format,
-                      const Scene& scene, const std::filesystem::path& scene_file);
+/// Throws Error where the file would take the place of what it is made of: the scene file, its mesh
+/// or its texture. To be asked before there are frames.
+void expect_no_source(const AnimationToWrite& animation);
 
 /// Writes an animation as pictures. False when the token was set or nothing was drawn; then
 /// nothing is left of it. Throws Error. Precondition: the format is no baked one.

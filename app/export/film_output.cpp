@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export/film_output.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
-#include "app/export/video_file.h"
+#include "app/export/animation_format.h"
 #include "app/export/sprite_sheet.h"
+#include "app/export/video_file.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/file_group.h"
+#include "core/files/staged.h"
 
 namespace foldless {
 namespace {
@@ -36,55 +36,50 @@ class FilmFile : public FilmOutput {
   bool wants_samples() const override { return film_->wants_samples(); }
   void sample(const Image& image) override { film_->sample(image); }
   void add(const Image& image) override { film_->add(image); }
-  void finish() override { write_file_atomically(path_, film_->finish()); }
+  void finish() override {
+    remove_leftovers(path_);
+    write_file_atomically(path_, film_->finish());
+  }
 
  private:
   fs::path path_;
   std::unique_ptr<Film> film_;
 };
 
+std::unique_ptr<Film> film(std::string_view ending, const FilmOptions& options) {
+  if (ending == ".png") return make_apng(options);
+  if (ending == ".gif") return make_gif(options);
+  return make_animated_webp(options);
+}
+
 /// The pictures are written into a hidden folder beside it, which takes the name at the end.
 class PictureFolder : public FilmOutput {
  public:
   PictureFolder(const fs::path& path, ImageTexts texts)
-      : path_(named(path)), texts_(std::move(texts)) {
-    std::error_code problem;
-    if (fs::exists(path_) && !fs::is_empty(path_, problem))
-      throw Error(path_.string() + ": is there already; name a new folder");
-    std::string staged = path_.parent_path() / ("." + path_.filename().string() + ".XXXXXX");
-    if (!mkdtemp(staged.data())) fail();
-    staged_ = staged;
-    fs::permissions(staged_, fs::perms(0755), fs::perm_options::replace, problem);
-  }
-  ~PictureFolder() override {
-    std::error_code ignored;
-    if (!staged_.empty()) fs::remove_all(staged_, ignored);
-  }
+      : path_(free(path)), texts_(std::move(texts)), staged_(path_, Staged::What::folder) {}
 
   void add(const Image& image) override {
     std::string number = std::to_string(count_++);
     number.insert(0, 6 - std::min<std::size_t>(6, number.size()), '0');
-    save_png(staged_ / (number + ".png"), image, texts_);
+    const std::string name = number + ".png";
+    write_new_file(staged_.path() / name, encode_png(image, texts_), path_ / name);
   }
-
-  void finish() override {
-    if (std::rename(staged_.c_str(), path_.c_str()) != 0) fail();
-    staged_.clear();
-    sync_folder(path_.parent_path());
-  }
+  void finish() override { staged_.take_name(); }
 
  private:
-  /// `folder/` is `folder`.
-  static fs::path named(const fs::path& path) {
-    const fs::path whole = fs::absolute(path).lexically_normal();
-    return whole.has_filename() ? whole : whole.parent_path();
-  }
-  [[noreturn]] void fail() const {
-    throw Error(path_.string() + ": cannot be written: " + std::strerror(errno));
+  /// Without the slash of `folder/`. Throws Error where something is in it.
+  static fs::path free(const fs::path& path) {
+    fs::path whole = fs::absolute(path).lexically_normal();
+    if (!whole.has_filename()) whole = whole.parent_path();
+    std::error_code ignored;
+    if (fs::exists(whole) && !fs::is_empty(whole, ignored))
+      throw Error(whole.string() + ": is there already; name a new folder");
+    return whole;
   }
 
-  fs::path path_, staged_;
+  fs::path path_;
   ImageTexts texts_;
+  Staged staged_;
   int count_ = 0;
 };
 
@@ -97,9 +92,9 @@ class SheetFiles : public FilmOutput {
   void add(const Image& image) override { sprites_.add(image); }
   void finish() override {
     const Image sheet = sprites_.sheet(options_.power_of_two);
-    const fs::path picture = picture_of_sheet(path_);
-    save_png(picture, sheet, options_.texts);
-    write_file_atomically(path_, sprites_.json(sheet, picture.filename().string()));
+    const std::string picture = picture_of_sheet(path_).filename();
+    write_files_together(path_, sprites_.json(sheet, picture),
+                         {{picture, encode_png(sheet, options_.texts)}});
   }
 
  private:
@@ -113,12 +108,12 @@ class SheetFiles : public FilmOutput {
 fs::path picture_of_sheet(const fs::path& path) { return fs::path(path).replace_extension(".png"); }
 
 std::unique_ptr<FilmOutput> film_output(const fs::path& path, const FilmOptions& options) {
-  const std::string ending = path.extension();
-  if (ending == ".json") return std::make_unique<SheetFiles>(path, options);
-  if (ending == ".png") return std::make_unique<FilmFile>(path, make_apng(options));
-  if (ending == ".gif") return std::make_unique<FilmFile>(path, make_gif(options));
-  if (ending == ".webp") return std::make_unique<FilmFile>(path, make_animated_webp(options));
-  if (is_video(path)) return video_file(checked(path), options);
+  using Kind = AnimationFormat::Kind;
+  const AnimationFormat* const format = find_animation_format(path);
+  if (format && format->kind == Kind::sheet) return std::make_unique<SheetFiles>(path, options);
+  if (format && format->kind == Kind::video) return video_file(checked(path), options);
+  if (format && format->kind == Kind::film)
+    return std::make_unique<FilmFile>(path, film(format->ending, options));
   return std::make_unique<PictureFolder>(path, options.texts);
 }
 

@@ -24,10 +24,9 @@ class FilmOutput {
   virtual void finish() = 0;
 };
 
-/// By the ending of a name: .png, .gif and .webp are one file, .mp4 and .webm are made by
-/// ffmpeg, .json is a sprite sheet with its picture beside it, a name without an ending is a folder
-/// of 000000.png and so on. Throws Error, here or later, where it cannot be written, and for a
-/// folder that has something in it.
+/// By the ending of a name, see animation_formats(). A sprite sheet has its picture beside it; a
+/// folder has 000000.png and so on. Throws Error, here or later, where it cannot be written, and
+/// for a folder that has something in it.
 std::unique_ptr<FilmOutput> film_output(const std::filesystem::path& path,
                                         const FilmOptions& options);
 

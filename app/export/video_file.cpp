@@ -12,13 +12,14 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
-#include "core/files/atomic_file.h"
+#include "core/files/staged.h"
 #include "core/files/text_lines.h"
 
 namespace foldless {
@@ -78,8 +79,6 @@ class VideoFile : public FilmOutput {
       kill(process_, SIGKILL);
       wait_for_end();
     }
-    std::error_code ignored;
-    if (!staged_.empty()) fs::remove(staged_, ignored);
   }
 
   void add(const Image& image) override {
@@ -98,15 +97,12 @@ class VideoFile : public FilmOutput {
 
   void finish() override {
     end();
-    if (std::rename(staged_.c_str(), path_.c_str()) != 0)
-      throw Error(path_.string() + ": cannot be written: " + std::strerror(errno));
-    staged_.clear();
-    sync_folder(fs::absolute(path_).parent_path());
+    staged_->take_name();
   }
 
  private:
   void begin(const Image& first) {
-    make_staged_file();
+    staged_.emplace(path_, Staged::What::file);
     std::array<int, 2> ends{};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
       throw Error(path_.string() + ": nothing can be passed to ffmpeg: " + std::strerror(errno));
@@ -114,7 +110,7 @@ class VideoFile : public FilmOutput {
     pictures_ = Descriptor(ends[1]);
     complaints_ = Descriptor(memfd_create("ffmpeg", MFD_CLOEXEC));
     std::vector<std::string> arguments = arguments_for(path_, first, fps_);
-    arguments.push_back(staged_.string());
+    arguments.push_back(staged_->path().string());
     std::vector<char*> pointers;
     pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -132,17 +128,6 @@ class VideoFile : public FilmOutput {
       throw Error(path_.string() + ": videos are made by ffmpeg, which is not there; install it, " +
                   "or write .webp or .gif");
     throw Error(path_.string() + ": ffmpeg cannot be started: " + std::strerror(problem));
-  }
-
-  void make_staged_file() {
-    const fs::path whole = fs::absolute(path_);
-    std::string staged = whole.parent_path() / ("." + whole.filename().string() + ".XXXXXX");
-    const Descriptor file(mkstemp(staged.data()));
-    if (file.number() < 0)
-      throw Error(path_.string() + ": cannot be written: " + std::strerror(errno));
-    staged_ = staged;
-    std::error_code ignored;
-    fs::permissions(staged_, fs::perms(0644), fs::perm_options::replace, ignored);
   }
 
   int wait_for_end() {
@@ -166,17 +151,14 @@ class VideoFile : public FilmOutput {
     throw Error(path_.string() + ": ffmpeg failed" + (said.empty() ? "" : ": " + said));
   }
 
-  fs::path path_, staged_;
+  fs::path path_;
+  std::optional<Staged> staged_;
   double fps_;
   pid_t process_ = -1;
   Descriptor pictures_, complaints_;
 };
 
 }  // namespace
-
-bool is_video(const fs::path& path) {
-  return path.extension() == ".mp4" || path.extension() == ".webm";
-}
 
 bool has_ffmpeg() {
   const char* const variable = std::getenv("PATH");

@@ -8,9 +8,6 @@
 
 namespace foldless {
 
-/// True for endings of videos: .mp4 and .webm.
-bool is_video(const std::filesystem::path& path);
-
 /// Whether there is a program ffmpeg to be started.
 bool has_ffmpeg();
 

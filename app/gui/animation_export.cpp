@@ -37,7 +37,7 @@ std::vector<double> moments_for(const Animation& animation, double fps) {
 }
 
 AnimationToWrite what_to_write(const std::filesystem::path& path, const Editor& editor,
-                              const AnimationChoice& choice) {
+                               const AnimationChoice& choice) {
   const Document& document = editor.document();
   AnimationToWrite animation;
   animation.output = path;
@@ -49,7 +49,7 @@ AnimationToWrite what_to_write(const std::filesystem::path& path, const Editor& 
   animation.size = choice.size;
   animation.figure.style.theme = editor.view().options().theme;
   if (choice.is_transparent) animation.figure.style.background = Background::transparent;
-  const std::filesystem::path& file = editor.files().path();
+  const std::filesystem::path& file = animation.scene_file = editor.files().path();
   animation.texts = {{"Software", "Foldless"},
                      {"Scene", file.empty() ? document.name : file.string()}};
   animation.tolerance = choice.tolerance;
@@ -71,7 +71,7 @@ void AnimationExport::start(const std::filesystem::path& path, Editor& editor,
                                        Frames(std::move(to_solve.at_rest), *document.animation),
                                        {},
                                        to_solve.tolerance});
-  expect_no_source(path, choice.format, *job->animation.scene, editor.files().path());
+  expect_no_source(job->animation);
   if (job->animation.fps == document.animation->fps)
     job->animation.solved = editor.motion().frames().all(document);
   if (job->animation.solved.empty())

@@ -2,6 +2,7 @@
 #include "core/files/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -82,13 +83,11 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// `folder/.name.` and six characters, which are not the name of any file. A name that is nearly as
-/// long as names may be is cut.
+/// A hidden name that is not that of any file.
 fs::path temporary_name(const fs::path& file) {
-  constexpr std::size_t kMostOfName = 200;
   constexpr std::string_view kCharacters = "abcdefghijklmnopqrstuvwxyz0123456789";
   std::random_device random;
-  std::string name = '.' + file.filename().string().substr(0, kMostOfName) + '.';
+  std::string name = staged_prefix(file);
   for (int i = 0; i < 6; ++i) name += kCharacters[random() % kCharacters.size()];
   return file.parent_path() / name;
 }
@@ -103,6 +102,7 @@ Descriptor make_beside(const fs::path& file, fs::path& temporary) {
     number = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (number < 0 && errno == EEXIST);
   if (number < 0) temporary.clear();
+  if (number >= 0) ::flock(number, LOCK_EX | LOCK_NB);  // It is in use; see remove_leftovers().
   return Descriptor(number);
 }
 
@@ -187,6 +187,20 @@ void write_file_atomically(const fs::path& file, std::string_view bytes) {
     refuse_writing(file, error);
   }
   sync_folder(folder);
+}
+
+void write_new_file(const fs::path& file, std::string_view bytes, const fs::path& told) {
+  Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (!out.is_open()) refuse_writing(told, errno);
+  int error = write_all(out.number(), bytes);
+  if (error == 0 && ::fsync(out.number()) != 0) error = errno;
+  if (error == 0) error = out.close();
+  if (error != 0) refuse_writing(told, error);
+}
+
+std::string staged_prefix(const fs::path& result) {
+  constexpr std::size_t kMostOfName = 200;
+  return '.' + result.filename().string().substr(0, kMostOfName) + ".foldless-";
 }
 
 // A folder that cannot be synced is no failure: a file is complete under its name.

@@ -16,6 +16,15 @@ std::string read_file(const std::filesystem::path& file);
 /// written to. Throws Error when that fails, and leaves no temporary file.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
 
+/// Writes a file that is not there, and waits until it has reached the disk. Throws Error, which
+/// speaks of the file `told`, and may leave a part of it: for folders that go then.
+void write_new_file(const std::filesystem::path& file, std::string_view bytes,
+                    const std::filesystem::path& told);
+
+/// How the hidden names begin under which a file or a folder is made beside where it will be:
+/// `.NAME.foldless-`, of a long name the first 200 bytes. Six letters or digits follow.
+std::string staged_prefix(const std::filesystem::path& result);
+
 /// Waits until the names in a folder have reached the disk, where the file system can do that.
 void sync_folder(const std::filesystem::path& folder);
 

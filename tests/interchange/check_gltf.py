@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""check_gltf.py FOLDLESS SCENE...: whether three.js shows a baked animation as Foldless draws it.
+"""check_gltf.py FOLDLESS MODULES SCENE...: whether three.js shows a baked animation as Foldless draws it.
 
 Each scene is baked twice, as glTF and as .foldless. At a key, between two keys and at the last key a
 headless Chromium draws the glTF, and Foldless draws the mesh that the .foldless file has there. The
-pictures may differ by 2 grey levels in the mean.
+pictures may differ by 2 grey levels in the mean. MODULES is the folder into which npm has put three.
 """
 import base64
 import json
@@ -61,12 +61,12 @@ def drawn_by_foldless(program, folder, header, points, view):
     return numpy.asarray(Image.open(picture).convert("RGB"), dtype=float)
 
 
-def drawn_by_three(folder, glb, time, view):
+def drawn_by_three(folder, modules, glb, time, view):
     middle, half = view
     box = [middle[0] - half, middle[0] + half, middle[1] - half, middle[1] + half]
     page = (HERE / "viewer.html").read_text()
     for key, value in {"GLB": base64.b64encode(glb.read_bytes()).decode(), "BOX": json.dumps(box),
-                       "WIDTH": SIZE * SCALE, "HEIGHT": SIZE * SCALE, "TIME": time}.items():
+                       "MODULES": modules, "WIDTH": SIZE * SCALE, "HEIGHT": SIZE * SCALE, "TIME": time}.items():
         page = page.replace(f"@{key}@", str(value))
     (folder / "page.html").write_text(page)
     picture = folder / "three.png"
@@ -81,7 +81,7 @@ def drawn_by_three(folder, glb, time, view):
     return image.reshape(SIZE, SCALE, SIZE, SCALE, 3).mean(axis=(1, 3))
 
 
-def check(program, scene):
+def check(program, modules, scene):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for ending in ("glb", "foldless"):
@@ -94,7 +94,7 @@ def check(program, scene):
                       + share * numpy.array(frames[second]["deformed"]))
             view = square_round(points)
             ours = drawn_by_foldless(program, folder, header, points, view)
-            theirs = drawn_by_three(folder, folder / "a.glb", time, view)
+            theirs = drawn_by_three(folder, modules, folder / "a.glb", time, view)
             difference = numpy.abs(ours - theirs).mean()
             blank = numpy.abs(ours - 255).mean()
             print(f"{pathlib.Path(scene).stem}: {time:.4f} s: {difference:.2f} grey levels apart "
@@ -104,5 +104,6 @@ def check(program, scene):
 
 
 if __name__ == "__main__":
-    results = [check(sys.argv[1], scene) for scene in sys.argv[2:]]
+    program, modules, *scenes = sys.argv[1:]
+    results = [check(program, pathlib.Path(modules).resolve(), scene) for scene in scenes]
     sys.exit(0 if results and all(results) else 1)

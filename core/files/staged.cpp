@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/staged.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "core/files/atomic_file.h"
+
+namespace foldless {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const fs::path& result) { return fs::absolute(result).parent_path(); }
+
+[[noreturn]] void refuse_staging(const fs::path& result, int error) {
+  throw Error(result.string() + ": cannot be written: " + std::generic_category().message(error) +
+              (error == ENOSPC ? "; make room there, or choose another folder" : ""));
+}
+
+/// Six letters or digits, as mkstemp() gives them.
+bool is_random_part(std::string_view text) {
+  return text.size() == 6 && std::ranges::all_of(text, [](char c) {
+           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+         });
+}
+
+/// Whether the descriptor is of what has the name now.
+bool is_the_same(int descriptor, const fs::path& path) {
+  struct stat a {
+  }, b{};
+  return ::fstat(descriptor, &a) == 0 && ::lstat(path.c_str(), &b) == 0 && a.st_dev == b.st_dev &&
+         a.st_ino == b.st_ino;
+}
+
+/// No process that lives has a lock on it.
+bool is_left_over(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool is_free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  ::close(descriptor);
+  return is_free;
+}
+
+}  // namespace
+
+void remove_leftovers(const fs::path& result) {
+  const std::string prefix = staged_prefix(result);
+  std::vector<fs::path> left;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder_of(result), ignored)) {
+    const std::string name = entry.path().filename();
+    if (name.starts_with(prefix) && is_random_part(name.substr(prefix.size())) &&
+        is_left_over(entry.path()))
+      left.push_back(entry.path());
+  }
+  for (const fs::path& path : left) fs::remove_all(path, ignored);
+}
+
+Staged::Staged(fs::path result, What what) : result_(std::move(result)) {
+  remove_leftovers(result_);
+  // Another process may take it for a leftover before it is locked.
+  while (!make(what)) {
+  }
+}
+
+bool Staged::make(What what) {
+  std::string name = folder_of(result_) / (staged_prefix(result_) + "XXXXXX");
+  if (what == What::folder) {
+    if (!::mkdtemp(name.data())) refuse_staging(result_, errno);
+    lock_ = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  } else {
+    lock_ = ::mkostemp(name.data(), O_CLOEXEC);
+    if (lock_ < 0) refuse_staging(result_, errno);
+  }
+  path_ = name;
+  std::error_code ignored;
+  fs::permissions(path_, fs::perms(what == What::folder ? 0755 : 0644), fs::perm_options::replace,
+                  ignored);
+  if (lock_ < 0) return true;  // It can be made all the same.
+  ::flock(lock_, LOCK_EX | LOCK_NB);
+  if (is_the_same(lock_, path_)) return true;
+  ::close(std::exchange(lock_, -1));
+  return false;
+}
+
+Staged::~Staged() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void Staged::take_name(const fs::path& name) {
+  if (lock_ >= 0) ::fsync(lock_);
+  if (::rename(path_.c_str(), name.c_str()) != 0) refuse_staging(result_, errno);
+  path_.clear();
+  sync_folder(folder_of(name));
+}
+
+}  // namespace foldless
