@@ -18,10 +18,12 @@ using Kind = AnimationFormat::Kind;
 constexpr int kMostPixels = 16384;           // of a side
 constexpr PictureSize kFirstSize{512, 512};  // where one is asked for
 
-/// `Animated WebP (.webp)`.
+/// `Animated WebP (.webp)`; a name such as glTF keeps its letters.
 std::string format_title(const AnimationFormat& format) {
   std::string title(format.words);
-  if ('a' <= title[0] && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  const std::string first = title.substr(0, title.find_first_of(" ,"));
+  const bool is_word = std::ranges::all_of(first, [](char c) { return 'a' <= c && c <= 'z'; });
+  if (is_word) title[0] = static_cast<char>(title[0] - 'a' + 'A');
   if (!format.ending.empty()) title += " (" + std::string(format.ending) + ")";
   return title;
 }
@@ -58,7 +60,7 @@ void AnimationOptions::draw(const Editor& editor, bool& is_transparent, const Lo
 
 void AnimationOptions::draw_formats(const Look& look) {
   ImGui::SetNextItemWidth(look.px(300));
-  if (begin_combo("##format", format_title(format()))) {
+  if (begin_combo("##format", format_title(format()), ImGuiComboFlags_HeightLargest)) {
     const auto formats = animation_formats();
     for (std::size_t i = 0; i < formats.size(); ++i) {
       const bool is_missing = formats[i].kind == Kind::video && !has_video_;

@@ -68,7 +68,7 @@ void draw_easing(Editor& editor, const PanelContext& context) {
   for (const NamedEasing& row : easings())
     if (easing == row.easing) words = title_of(row);
   ImGui::SetNextItemWidth(look.px(96));
-  if (begin_combo("##easing", words)) {
+  if (begin_combo("##easing", words, ImGuiComboFlags_HeightLargest)) {
     for (const NamedEasing& row : easings())
       if (choice_entry(title_of(row).c_str(), easing == row.easing)) motion.set_easing(row.easing);
     ImGui::Separator();

@@ -73,18 +73,19 @@ void draw_edge(const PanelEdge& edge, const PanelContext& context) {
   ImGui::End();
 }
 
-/// The upper edge of the time line.
+/// The upper edge of the time line; the grip lies over the canvas alone, as the panel is older and
+/// so in front.
 void draw_time_line_edge(const PanelContext& context) {
   const Look& look = context.look;
   const Rectangle& place = context.layout.timeline;
   const float half = half_grip(look);
   double& height = context.state.settings.time_line_height;
-  begin_grip("##time line edge", {place.x, place.y - half, place.width, 2 * half});
+  begin_grip("##time line edge", {place.x, place.y - 2 * half, place.width, 2 * half});
   const ImGuiContext& imgui = *ImGui::GetCurrentContext();
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     height = kTimeLineHeight;
   } else if (ImGui::IsItemActive() && imgui.IO.MouseDelta.y != 0) {
-    const float line = imgui.IO.MousePos.y - imgui.ActiveIdClickOffset.y + half;
+    const float line = imgui.IO.MousePos.y - imgui.ActiveIdClickOffset.y + 2 * half;
     const float by = (place.y - line) / look.scale;
     height = std::clamp(
         std::round(time_line_height(context.layout, look.scale) + static_cast<double>(by)),

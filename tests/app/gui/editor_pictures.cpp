@@ -258,7 +258,7 @@ void draw_time_line(const std::filesystem::path& folder) {
     headless.wait_until([&] { return motion.solved() != nullptr; }, 20);
     motion.select(keys_of(motion.animation()));
     shoot("time-line");
-    if (const auto easing = headless.find_words("Easing")) headless.click(*easing);
+    if (const auto easing = headless.find_words("Linear")) headless.click(*easing);
     shoot("time-line-easing");
     headless.key(Key::escape);
     headless.key(Key::e, kControl);

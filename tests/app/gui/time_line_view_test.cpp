@@ -100,16 +100,16 @@ TEST_F(TimeLineViews, KeysAreCaughtWhereTheyAreSeen) {
 
 TEST_F(TimeLineViews, ItsUpperEdgeIsDraggedAndTheHeightRemembered) {
   const Rectangle before = layout().timeline;
-  drag({before.x + 300, before.y}, {before.x + 300, before.y - 60});
+  drag({before.x + 500, before.y - 3}, {before.x + 500, before.y - 63});
   EXPECT_NEAR(layout().timeline.height, before.height + 60, 2);
   EXPECT_NEAR(layout().timeline.y, before.y - 60, 2);
   EXPECT_EQ(headless_.ui().cursor(), CursorShape::resize_height);
   EXPECT_NEAR(headless_.ui().settings().time_line_height, kTimeLineHeight + 60, 2);
   const Rectangle edge = layout().timeline;
-  drag({edge.x + 300, edge.y}, {edge.x + 300, edge.y + 1000});
+  drag({edge.x + 500, edge.y - 3}, {edge.x + 500, edge.y + 1000});
   EXPECT_EQ(headless_.ui().settings().time_line_height, kLowestTimeLine);
   const Rectangle low = layout().timeline;
-  for (int i = 0; i < 2; ++i) headless_.click({low.x + 300, low.y});
+  for (int i = 0; i < 2; ++i) headless_.click({low.x + 500, low.y - 3});
   headless_.settle();
   EXPECT_EQ(headless_.ui().settings().time_line_height, kTimeLineHeight);
   Settings settings;
