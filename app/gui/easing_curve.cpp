@@ -10,6 +10,7 @@ namespace foldless {
 namespace {
 
 constexpr float kBeyondCurve = 0.5F;  ///< of the height, above and below
+constexpr float kCurveEnd = 5;        ///< radius of an end [design pixels]
 
 /// Where shares are in the window.
 struct CurvePlace {
@@ -48,7 +49,7 @@ void paint_curve(const Easing& easing, const CurvePlace& place, const Look& look
   list.AddBezierCubic(from, first, second, to, accent, look.px(2));
   for (const auto& [end, start] : {std::pair{first, from}, {second, to}}) {
     list.AddLine(start, end, packed(look.palette->text), look.px(1));
-    list.AddCircleFilled(end, look.px(5), packed(look.palette->text));
+    list.AddCircleFilled(end, look.px(kCurveEnd), packed(look.palette->text));
   }
 }
 
@@ -57,8 +58,11 @@ void paint_curve(const Easing& easing, const CurvePlace& place, const Look& look
 std::optional<Easing> draw_easing_curve(const Easing& easing, std::optional<PulledCurve>& pulled,
                                         const Look& look) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const CurvePlace place{corner, look.px(kCurveWidth), look.px(kCurveHeight)};
-  ImGui::InvisibleButton("##easing curve", {place.width, place.height * (1 + 2 * kBeyondCurve)});
+  const float room = look.px(kCurveEnd + 1);  // for ends at the borders
+  const CurvePlace place{
+      {corner.x + room, corner.y + room}, look.px(kCurveWidth), look.px(kCurveHeight)};
+  ImGui::InvisibleButton(
+      "##easing curve", {place.width + 2 * room, place.height * (1 + 2 * kBeyondCurve) + 2 * room});
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   if (ImGui::IsItemActivated()) {
     pulled = PulledCurve{easing};
