@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/easing_curve.h"
+#include "app/gui/proof_badge.h"
 #include "app/gui/settings.h"
 #include "app/gui/time_line_place.h"
 #include "tests/app/gui/animated_bar.h"
@@ -63,6 +64,27 @@ TEST_F(TimeLineViews, WithAltThePlayHeadGoesBetweenFrames) {
   EXPECT_TRUE(headless_.find_words(moment_words(motion().moment())));
   drag(ruler(7.5), ruler(9.6));
   EXPECT_EQ(motion().moment(), 10) << "without Alt it snaps";
+}
+
+TEST_F(TimeLineViews, StatusAndBadgeSpeakOfTheWholeAnimation) {
+  using State = MotionProofStatus::State;
+  ASSERT_TRUE(headless_.wait_until([this] { return motion().proof().state == State::proved; }));
+  headless_.settle();
+  const std::string words = motion_badge_words(motion().proof(), 500);
+  EXPECT_EQ(words.find("25 frames and every moment between them injective"), 0U) << words;
+  EXPECT_EQ(motion_badge_words(motion().proof(), 1), "every moment injective");
+  const std::string status = headless_.editor().status().words;
+  EXPECT_NE(status.find("every moment of the animation proved injective"), std::string::npos);
+  EXPECT_TRUE(headless_.find_words(status)) << status;
+  MotionProofStatus other = motion().proof();
+  other.state = State::unproved;
+  other.problem = "triangle 12 has no area at frame 3.5";
+  EXPECT_EQ(motion_badge_words(other, 500), "Not proved: triangle 12 has no area at frame 3.5");
+  other.state = State::running;
+  EXPECT_EQ(motion_badge_words(other, 500), "Proving every moment between 25 frames…");
+  headless_.key(Key::t);
+  headless_.settle();
+  EXPECT_FALSE(headless_.find_words(status)) << "of the newest state alone";
 }
 
 TEST_F(TimeLineViews, ControlAndTheWheelZoomAboutThePointerAndShiftScrolls) {
