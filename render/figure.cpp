@@ -27,13 +27,21 @@ void lay_on(const GroundColour& colour, Image& picture) {
 }  // namespace
 
 struct FigureRenderer::Parts {
-  ~Parts() { context.make_current(); }
+  explicit Parts(bool has_own_context) {
+    if (has_own_context) context.emplace(1, 1, 1);
+    scene.emplace();
+  }
+  ~Parts() { enter(); }
+
+  void enter() {
+    if (context) context->make_current();
+  }
 
   void fit_target(const FigureOptions& options);
   void fit_texture(const FigureOptions& options);
 
-  Offscreen context{1, 1, 1};
-  SceneRenderer scene;
+  std::optional<Offscreen> context;  ///< absent: whichever is current
+  std::optional<SceneRenderer> scene;
   std::optional<RenderTarget> target;
   int samples_asked = 0;
   std::shared_ptr<const TexturePieces> texture;
@@ -50,32 +58,33 @@ void FigureRenderer::Parts::fit_target(const FigureOptions& options) {
 
 void FigureRenderer::Parts::fit_texture(const FigureOptions& options) {
   if (texture == options.texture && texture_place == options.texture_place) return;
-  options.texture ? scene.set_texture(*options.texture, options.texture_place)
-                  : scene.clear_texture();
+  options.texture ? scene->set_texture(*options.texture, options.texture_place)
+                  : scene->clear_texture();
   texture = options.texture;
   texture_place = options.texture_place;
 }
 
-FigureRenderer::FigureRenderer() : parts_(std::make_unique<Parts>()) {}
+FigureRenderer::FigureRenderer() : parts_(std::make_unique<Parts>(true)) {}
+FigureRenderer::FigureRenderer(InCurrentContext) : parts_(std::make_unique<Parts>(false)) {}
 FigureRenderer::~FigureRenderer() = default;
 
 Image FigureRenderer::render(const Snapshot& snapshot, const FigureOptions& options) {
-  parts_->context.make_current();
+  parts_->enter();
   parts_->fit_target(options);
   parts_->fit_texture(options);
-  parts_->scene.set_parts(options.parts);
+  parts_->scene->set_parts(options.parts);
   ViewOptions ground = options.style;
   if (options.ground) ground.background = Background::transparent;
   const Viewport whole{0, 0, options.width, options.height};
-  parts_->scene.draw({}, {.viewport = whole}, ground);
+  parts_->scene->draw({}, {.viewport = whole}, ground);
   for (const FigurePane& pane : figure_panes(snapshot, options))
-    parts_->scene.draw(snapshot,
-                       {.viewport = pane.viewport,
-                        .camera = pane.camera,
-                        .energy_densities = options.energy_densities},
-                       pane.style);
+    parts_->scene->draw(snapshot,
+                        {.viewport = pane.viewport,
+                         .camera = pane.camera,
+                         .energy_densities = options.energy_densities},
+                        pane.style);
   Image image = parts_->target->read();
-  const auto& range = parts_->scene.heat_range();
+  const auto& range = parts_->scene->heat_range();
   if (range && options.has_legend) draw_legend(image, *range, options.style);
   if (options.ground) lay_on(*options.ground, image);
   return image;

@@ -12,8 +12,12 @@ namespace foldless {
 /// Draws snapshots off screen, any number of them in one context.
 class FigureRenderer {
  public:
-  /// Throws Error when no context can be made.
+  /// In a context of its own. Throws Error when none can be made.
   FigureRenderer();
+  /// In the context that is current: every function needs it, and render() leaves another
+  /// framebuffer bound.
+  struct InCurrentContext {};
+  explicit FigureRenderer(InCurrentContext);
   ~FigureRenderer();
   FigureRenderer(const FigureRenderer&) = delete;
   FigureRenderer& operator=(const FigureRenderer&) = delete;

@@ -5,8 +5,8 @@
 #include "app/cli/calls.h"
 #include "app/cli/check_line.h"
 #include "app/cli/command_line.h"
-#include "app/cli/failure_words.h"
 #include "core/scene/baked_io.h"
+#include "core/scene/failure_words.h"
 
 namespace foldless {
 

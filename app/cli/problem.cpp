@@ -36,12 +36,6 @@ Problem problem_at_rest(const Scene& scene) {
   return problem;
 }
 
-std::optional<Box> texture_place(const Scene& scene) {
-  if (!scene.texture_box) return std::nullopt;
-  const auto& [min, max] = *scene.texture_box;
-  return Box{{min.x(), min.y()}, {max.x(), max.y()}};
-}
-
 std::shared_ptr<const TexturePieces> read_texture(const std::filesystem::path& file,
                                                   const std::shared_ptr<const MeshParts>& parts) {
   LoadedTexture texture = load_texture(file, parts.get());

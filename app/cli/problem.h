@@ -23,9 +23,6 @@ Problem problem_of(const Scene& scene);
 /// that came from splits it is that of the state.
 Problem problem_at_rest(const Scene& scene);
 
-/// Where the scene's texture lies, for the renderer.
-std::optional<Box> texture_place(const Scene& scene);
-
 /// The texture of a mesh with these parts; prints a note on what of it is missing. Throws Error.
 std::shared_ptr<const TexturePieces> read_texture(const std::filesystem::path& file,
                                                   const std::shared_ptr<const MeshParts>& parts);

@@ -6,6 +6,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/problem.h"
 #include "app/cli/solved_folder.h"
+#include "app/export/texture_place.h"
 #include "app/export/vector_figure.h"
 #include "core/error.h"
 #include "core/files/mesh_io.h"

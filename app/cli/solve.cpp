@@ -15,6 +15,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/report.h"
 #include "app/cli/results.h"
+#include "app/export/texture_place.h"
 #include "core/energy/densities.h"
 #include "core/run/interrupt.h"
 #include "core/run/run.h"

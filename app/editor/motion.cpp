@@ -2,13 +2,15 @@
 #include "app/editor/motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace foldless {
 
 Motion::Motion(Draft& draft, Messages& messages, std::function<void()> wake)
-    : draft_(draft), messages_(messages), frames_(std::move(wake)) {
+    : draft_(draft), messages_(messages), frames_(wake), bake_(std::move(wake)) {
   draft_.on_commit(
       [this](const Document& before, Document& after) { key_what_changed(before, after); });
 }
@@ -28,12 +30,28 @@ void Motion::toggle() {
 
 void Motion::go_to(int frame) {
   frame_ = std::clamp(frame, 0, last_frame());
+  between_.reset();
   if (play_) play_ = Playing{messages_.now(), frame_};
   messages_.redraw();
 }
 
-void Motion::step_forward() { go_to(frame_ < last_frame() ? frame_ + 1 : 0); }
-void Motion::step_back() { go_to(frame_ > 0 ? frame_ - 1 : last_frame()); }
+/// In a loop there are moments after the last frame too.
+void Motion::go_between(double moment) {
+  stop();
+  const double possible = std::clamp(moment, 0.0, static_cast<double>(end()));
+  go_to(static_cast<int>(std::lround(possible)));
+  if (possible < end() && possible != std::floor(possible)) between_ = possible;
+}
+
+void Motion::step_forward() {
+  const int frame = static_cast<int>(std::floor(moment()));
+  go_to(frame < last_frame() ? frame + 1 : 0);
+}
+
+void Motion::step_back() {
+  const int frame = static_cast<int>(std::ceil(moment()));
+  go_to(frame > 0 ? frame - 1 : last_frame());
+}
 
 std::optional<int> Motion::key_after(int frame) const {
   std::optional<int> next;
@@ -61,6 +79,7 @@ void Motion::toggle_play() {
   messages_.redraw();
   if (play_) return play_.reset();
   draft_.interrupt();
+  between_.reset();
   play_ = Playing{messages_.now(), frame_};
 }
 
@@ -83,26 +102,37 @@ void Motion::update() {
   if (std::exchange(original_, draft_.document().original) != draft_.document().original &&
       has_keys())
     is_open_ = true;
-  if (!is_open_) return;
+  if (!is_open_) return bake_.update(draft_.document(), frames_, false);
   frame_ = std::clamp(frame_, 0, last_frame());
+  if (between_ && *between_ >= end()) between_.reset();
   frames_.hold(draft_.is_editing());
+  if (draft_.is_editing()) bake_.update(draft_.document(), frames_, false);
   if (draft_.is_editing()) return play_.reset();
   select(Keys(selected_));
   frames_.follow(draft_.document());
+  bake_.update(draft_.document(), frames_, true);
+  if (std::exchange(proof_, bake_.status().state) != proof_) messages_.redraw();
   advance();
   show();
 }
 
+std::shared_ptr<const SolvedFrame> Motion::solved() const {
+  if (!between_) return frames_.frame(frame_);
+  const bool is_there = solved_between_ && solved_between_->frame == *between_;
+  return is_there ? solved_between_ : nullptr;
+}
+
 /// While a frame is not solved what was on screen stays there.
 void Motion::show() {
-  const auto solved = frames_.frame(frame_);
+  solved_between_ = between_ ? frames_.between(*between_) : nullptr;
+  const auto solved = this->solved();
   const auto& animation = draft_.document().animation;
   const bool is_on_screen = draft_.look_back() && !draft_.look_back()->iteration;
   if (!solved || (is_on_screen && solved == shown_ && of_ == animation)) return;
   shown_ = solved;
   of_ = animation;
   draft_.solving().hold();
-  draft_.look_at({std::nullopt, frames_.pose(draft_.document(), frame_)});
+  draft_.look_at({std::nullopt, pose_of(draft_.document(), *solved)});
 }
 
 std::vector<std::shared_ptr<const Snapshot>> Motion::neighbours() const {
@@ -112,6 +142,12 @@ std::vector<std::shared_ptr<const Snapshot>> Motion::neighbours() const {
     if (const auto solved = frame ? frames_.frame(*frame) : nullptr)
       poses.push_back(solved->snapshot);
   return poses;
+}
+
+std::string moment_words(double moment) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), moment == std::floor(moment) ? "%.0f" : "%.2f", moment);
+  return text.data();
 }
 
 }  // namespace foldless

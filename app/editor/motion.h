@@ -8,6 +8,7 @@
 #include "app/editor/draft.h"
 #include "app/editor/key_edits.h"
 #include "app/editor/messages.h"
+#include "app/editor/motion_bake.h"
 #include "app/editor/motion_frames.h"
 
 namespace foldless {
@@ -26,12 +27,17 @@ class Motion {
   const Animation& animation() const;
   bool has_keys() const { return !animation().tracks.empty(); }
 
-  // The play head stands at a frame.
+  // The play head stands at a frame, or between two.
 
+  /// The nearest frame, where keys are set.
   int frame() const { return frame_; }
+  /// Where it stands, in frames from the start.
+  double moment() const { return between_.value_or(frame_); }
   int last_frame() const { return animation().cycle.frames - 1; }
   void go_to(int frame);  ///< kept within the cycle
-  void step_forward();    ///< from the last to the first
+  /// Anywhere in the cycle: that moment is solved from the frame before it.
+  void go_between(double moment);
+  void step_forward();  ///< from the last to the first
   void step_back();
   void first() { go_to(0); }
   void last() { go_to(last_frame()); }
@@ -73,6 +79,10 @@ class Motion {
   std::vector<std::shared_ptr<const Snapshot>> neighbours() const;
 
   const MotionFrames& frames() const { return frames_; }
+  /// What is solved of the moment at the play head; null while nothing is.
+  std::shared_ptr<const SolvedFrame> solved() const;
+  MotionProofStatus proof() const { return bake_.status(); }
+  const MotionBake& bake() const { return bake_; }
   void update();
   /// When update() has something to do, if ever. [s]
   std::optional<double> next_wake() const;
@@ -88,7 +98,8 @@ class Motion {
   };
 
   void change(const std::string& label, const std::function<void(Animation&)>& change);
-  void key_what_changed(const Document& before, Document& after) const;
+  void key_what_changed(const Document& before, Document& after);
+  int end() const { return animation().cycle.loops ? last_frame() + 1 : last_frame(); }
   void advance();
   void show();
   std::optional<int> key_after(int frame) const;
@@ -97,10 +108,14 @@ class Motion {
   Draft& draft_;
   Messages& messages_;
   MotionFrames frames_;
+  MotionBake bake_;
+  MotionProofStatus::State proof_ = MotionProofStatus::State::none;  ///< that is on screen
   bool is_open_ = false;
   bool records_ = true;
   bool has_onion_skin_ = false;
   int frame_ = 0;
+  std::optional<double> between_;  ///< absent: the play head stands at the frame
+  std::shared_ptr<const SolvedFrame> solved_between_;  ///< there; null while it is not
   std::optional<Playing> play_;
   Keys selected_;
   Copied copied_;
@@ -108,5 +123,8 @@ class Motion {
   std::shared_ptr<const Animation> of_;       ///< the animation that it was shown for
   std::shared_ptr<const Shape> original_;     ///< of the document that was seen last
 };
+
+/// `7`, or `7.25` between frames.
+std::string moment_words(double moment);
 
 }  // namespace foldless

@@ -57,13 +57,14 @@ void Motion::toggle_onion_skin() {
   messages_.redraw();
 }
 
-/// Where an edit left a handle other than it would be at the play head.
-void Motion::key_what_changed(const Document& before, Document& after) const {
+/// Where an edit left a handle other than it would be at the play head. Keys sit on frames: the
+/// play head goes to the nearest.
+void Motion::key_what_changed(const Document& before, Document& after) {
   if (!is_open_ || after.is_empty() || before.animation != after.animation ||
       before.original != after.original)
     return;
   Animation changed = animation();
-  const auto expected = handles_at(changed, before.handles, frame_);
+  const auto expected = handles_at(changed, before.handles, moment());
   for (const Handle& handle : after.handles) {
     const auto was = std::ranges::find(expected, handle.id, &Handle::id);
     if (was == expected.end()) continue;
@@ -74,8 +75,9 @@ void Motion::key_what_changed(const Document& before, Document& after) const {
       set_key(changed, handle, property, frame_);
     }
   }
-  if (!(changed == animation()))
-    after.animation = std::make_shared<const Animation>(std::move(changed));
+  if (changed == animation()) return;
+  after.animation = std::make_shared<const Animation>(std::move(changed));
+  between_.reset();
 }
 
 void Motion::key_handles() {

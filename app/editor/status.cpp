@@ -57,6 +57,19 @@ std::string marked(const Snapshot& shown, const std::string& words) {
   return what + ". " + words;
 }
 
+/// What is proved of all frames, and of the moments between them.
+std::string whole_words(const FramesStatus& frames, const MotionProofStatus& proof) {
+  using State = MotionProofStatus::State;
+  const bool has_all = frames.injective == frames.count;
+  if (has_all && proof.state == State::proved)
+    return "every moment of the animation proved injective";
+  const std::string all = std::to_string(frames.injective) + " of " + std::to_string(frames.count) +
+                          " frames proved injective";
+  if (proof.state == State::running) return all + ", proving the moments between";
+  if (proof.state == State::unproved) return all + ", not between: " + proof.problem;
+  return all;
+}
+
 /// How a run that has ended by itself, or a restored document, stands.
 Status ended(const Document& document) {
   const std::string& verdict = document.standing.verdict;
@@ -106,14 +119,13 @@ Status status_of(const Draft& draft) {
 
 Status status_of(const Motion& motion) {
   const FramesStatus frames = motion.frames().status();
-  const std::string frame = "Frame " + std::to_string(motion.frame());
+  const std::string frame = "Frame " + moment_words(motion.moment());
   if (!frames.error.empty()) return {StatusKind::failed, frames.error};
-  const auto solved = motion.frames().frame(motion.frame());
+  const auto solved = motion.solved();
   if (!solved)
     return {StatusKind::solving, frame + " is not solved yet: " + std::to_string(frames.solved) +
                                      " of " + std::to_string(frames.count) + " are"};
-  const std::string all = " · " + std::to_string(frames.injective) + " of " +
-                          std::to_string(frames.count) + " frames proved injective";
+  const std::string all = " · " + whole_words(frames, motion.proof());
   if (solved->is_satisfied) return {StatusKind::converged, frame + ": every handle is there" + all};
   const std::string why = solved->verdict.empty() ? "" : ": " + solved->verdict;
   return {StatusKind::blocked, frame + ": some handles are not at their targets" + why + all};

@@ -19,7 +19,7 @@ struct Status {
 
 /// How a draft stands.
 Status status_of(const Draft& draft);
-/// How the frame at the play head stands.
+/// How the moment at the play head stands, and what is proved of the whole animation.
 Status status_of(const Motion& motion);
 
 }  // namespace foldless

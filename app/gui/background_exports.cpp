@@ -28,30 +28,43 @@ std::string progress_words(const SequenceExport& sequence) {
   return words;
 }
 
+/// What follows stands beside it.
+void draw_bar(float share, const std::string& words, const Look& look) {
+  ImGui::ProgressBar(share, {look.px(220), 0}, words.c_str());
+  ImGui::SameLine();
+}
+
 }  // namespace
 
 void update_exports(BackgroundExports& exports, Editor& editor, double time) {
   exports.figure.update(editor);
-  if (!exports.sequence.is_busy()) return;
+  if (!exports.sequence.is_busy() && !exports.animation.is_busy()) return;
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  exports.sequence.update(editor, time);
+  if (exports.sequence.is_busy()) exports.sequence.update(editor, time);
+  exports.animation.update(editor, time);
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
 void draw_progress(BackgroundExports& exports, const Rectangle& canvas, const Look& look) {
   SequenceExport& sequence = exports.sequence;
-  if (!sequence.is_busy()) return;
+  AnimationExport& animation = exports.animation;
+  if (!sequence.is_busy() && !animation.is_busy()) return;
   ImGui::SetNextWindowPos({canvas.x + look.px(12), canvas.y + canvas.height - look.px(12)},
                           ImGuiCond_Always, {0, 1});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette->popup);
-  ImGui::Begin("##sequence", nullptr, kProgress);
-  ImGui::TextUnformatted("Writing the sequence");
-  const auto done = static_cast<float>(sequence.written());
-  ImGui::ProgressBar(done / static_cast<float>(sequence.count()), {look.px(200), 0},
-                     progress_words(sequence).c_str());
-  ImGui::SameLine();
-  if (ImGui::Button("Cancel##sequence")) sequence.cancel();
+  ImGui::Begin("##exports", nullptr, kProgress);
+  if (sequence.is_busy()) {
+    ImGui::TextUnformatted("Writing the sequence");
+    const auto done = static_cast<float>(sequence.written());
+    draw_bar(done / static_cast<float>(sequence.count()), progress_words(sequence), look);
+    if (ImGui::Button("Cancel##sequence")) sequence.cancel();
+  }
+  if (animation.is_busy()) {
+    ImGui::TextUnformatted("Writing the animation");
+    draw_bar(animation.share().value_or(0), animation.progress_words(), look);
+    if (ImGui::Button("Cancel##animation")) animation.cancel();
+  }
   ImGui::End();
   ImGui::PopStyleColor();
 }

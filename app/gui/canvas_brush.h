@@ -32,6 +32,9 @@ void draw_bones(const Editor& editor, const CanvasBrush& brush, const PanelConte
 /// The mirror's axis while it is on, with ends that can be dragged.
 void draw_mirror(const Editor& editor, const CanvasBrush& brush, const Look& look);
 
+/// The centres of swings, with grips that are pulled.
+void draw_swings(const Editor& editor, const CanvasBrush& brush, const Look& look);
+
 /// The ring that turns the selected handle, and the name of the one under the pointer.
 void draw_handle_notes(Editor& editor, const CanvasBrush& brush, const PanelContext& context);
 

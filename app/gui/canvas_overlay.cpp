@@ -165,6 +165,7 @@ void draw_canvas_overlay(Editor& editor, const PanelContext& context) {
   if (!editor.view().are_overlays_hidden()) draw_outlines(editor, brush, context.look);
   if (editor.view().shown_options().layers.handles) {
     draw_mirror(editor, brush, context.look);
+    draw_swings(editor, brush, context.look);
     draw_bones(editor, brush, context);
   }
   draw_heat_notes(editor, context, brush);

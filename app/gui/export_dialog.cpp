@@ -36,10 +36,21 @@ constexpr std::array<Format, 7> kFormats{{
     {"PLY mesh", ".ply", "The deformed mesh, positions and triangles alone."},
 }};
 
+constexpr int kAnimation = static_cast<int>(kFormats.size());
+
 }  // namespace
 
+bool ExportDialog::is_animation() const { return format_ == kAnimation; }
+
+/// While the time line is open it is about the animation.
 void ExportDialog::open(const Editor& editor) {
   opens_now_ = true;
+  animation_.open();
+  const bool has_animation = why_no_animation(editor).empty();
+  if (editor.motion().is_open() && has_animation)
+    format_ = kAnimation;
+  else if (is_animation() && !has_animation)
+    format_ = 0;
   job_.picture.layers = exported_layers(editor);
   job_.picture.is_transparent = is_transparent_.value_or(!editor.document().texture.empty());
 }
@@ -53,7 +64,7 @@ std::optional<ExportJob> ExportDialog::take_order() { return std::exchange(order
 
 void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
   if (std::exchange(opens_now_, false)) ImGui::OpenPopup("##export");
-  if (!begin_dialog("##export", look, ImVec2{480, 380})) return;
+  if (!begin_dialog("##export", look, ImVec2{480, 420})) return;
   title_text("Export", look);
   begin_controls("options", {0, -ImGui::GetFrameHeightWithSpacing()}, look);
   draw_options(editor, look);
@@ -68,15 +79,30 @@ void ExportDialog::draw(Editor& editor, UiState& state, const Look& look) {
   end_dialog();
 }
 
+void ExportDialog::draw_animation_row(const Editor& editor, const Look& look) {
+  const std::string why_not = why_no_animation(editor);
+  ImGui::BeginDisabled(!why_not.empty());
+  ImGui::RadioButton("Animation", &format_, kAnimation);
+  ImGui::EndDisabled();
+  if (!why_not.empty()) tooltip(why_not, look);
+}
+
 void ExportDialog::draw_options(const Editor& editor, const Look& look) {
-  const auto format = static_cast<std::size_t>(format_);
   for (std::size_t i = 0; i < kFormats.size(); ++i) {
     if (i > 0 && i != kLastPicture + 1) ImGui::SameLine();
     ImGui::RadioButton(kFormats[i].title, &format_, static_cast<int>(i));
   }
+  draw_animation_row(editor, look);
   ImGui::Spacing();
+  if (is_animation()) {
+    bool& is_transparent = job_.picture.is_transparent;
+    const bool before = is_transparent;
+    animation_.draw(editor, is_transparent, look);
+    if (is_transparent != before) is_transparent_ = is_transparent;
+    return;
+  }
   ImGui::PushTextWrapPos(0);
-  dim_text(kFormats[format].words, look);
+  dim_text(kFormats[static_cast<std::size_t>(format_)].words, look);
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
   if (format_ <= kLastPicture) draw_picture_options(editor, look);
@@ -121,18 +147,23 @@ void ExportDialog::draw_free_size(const Editor& editor, const Look& look) {
 }
 
 void ExportDialog::ask_for_file(Editor& editor, UiState& state) {
-  FileRequest request;
-  const std::string extension(kFormats[static_cast<std::size_t>(format_)].extension);
-  request.purpose = FileRequest::Purpose::save;
-  request.title = extension.empty() ? "Export: name of a new folder" : "Export";
+  const std::string extension(is_animation()
+                                  ? animation_.format().ending
+                                  : kFormats[static_cast<std::size_t>(format_)].extension);
   const bool is_folder = extension.empty();
+  FileRequest request;
+  request.purpose = FileRequest::Purpose::save;
+  request.title = is_folder ? "Export: name of a new folder" : "Export";
   if (!is_folder) request.extensions = {extension};
-  request.start = starting_folder(editor, state) /
-                  (suggested_name(editor) + (is_folder ? "-iterations" : extension));
-  request.chosen = [this, &state, is_folder](const std::filesystem::path& path) {
+  const std::string folder = is_animation() ? "-frames" : "-iterations";
+  request.start =
+      starting_folder(editor, state) / (suggested_name(editor) + (is_folder ? folder : extension));
+  job_.animation.reset();
+  if (is_animation()) job_.animation = animation_.choice(job_.picture.is_transparent);
+  job_.is_sequence = is_folder && !is_animation();
+  request.chosen = [this, &state](const std::filesystem::path& path) {
     state.last_folder = path.parent_path();
     job_.path = path;
-    job_.is_sequence = is_folder;
     last_ = ordered_ = job_;
     ordered_->is_chosen_now = true;
   };

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/editor/editor.h"
+#include "app/gui/animation_options.h"
 #include "app/gui/export_job.h"
 #include "app/gui/look.h"
 
@@ -30,9 +31,12 @@ class ExportDialog {
   void draw_picture_options(const Editor& editor, const Look& look);
   void draw_free_size(const Editor& editor, const Look& look);
   void draw_options(const Editor& editor, const Look& look);
+  void draw_animation_row(const Editor& editor, const Look& look);
+  bool is_animation() const;
   void ask_for_file(Editor& editor, UiState& state);
 
-  int format_ = 0;  ///< row of the formats
+  int format_ = 0;  ///< row of the formats, or one more: an animation
+  AnimationOptions animation_;
   ExportJob job_;
   /// What the user chose; until then a drawing is written with its transparency.
   std::optional<bool> is_transparent_;

@@ -20,6 +20,7 @@ void export_mesh(const Editor& editor, const std::filesystem::path& path) {
 void carry_out(const ExportJob& job, Editor& editor, const ExportMeans& means) {
   const auto& [renderer, exports, browser] = means;
   try {
+    if (job.animation) return exports.animation.start(job.path, editor, *job.animation);
     if (job.is_sequence) return exports.sequence.start(job.path, editor, job.picture);
     if (vector_format_of(job.path)) return exports.figure.start(job.path, editor, job.picture);
     if (job.is_picture()) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "app/editor/editor.h"
+#include "app/gui/animation_export.h"
 #include "app/gui/canvas_picture.h"
 #include "render/scene_renderer.h"
 
@@ -15,9 +17,10 @@ struct BackgroundExports;
 
 /// What the user chose to export: a picture, a figure, or the mesh.
 struct ExportJob {
-  std::filesystem::path path;  ///< its extension says which format
-  PictureOptions picture;      ///< of pictures, figures and sequences
-  bool is_sequence = false;    ///< the path is that of a new folder for pictures
+  std::filesystem::path path;                     ///< its extension says which format
+  PictureOptions picture;                         ///< of pictures, figures and sequences
+  bool is_sequence = false;                       ///< the path is that of a new folder for pictures
+  std::optional<AnimationChoice> animation = {};  ///< of an animation; the rest counts not then
   bool is_chosen_now = false;  ///< in the file browser, which asks again when writing fails
 
   bool is_picture() const { return path.extension() == ".png"; }

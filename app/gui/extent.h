@@ -12,6 +12,6 @@ struct Extent {
 };
 
 /// The pointer's shape.
-enum class CursorShape { arrow, text, hand, resize };
+enum class CursorShape { arrow, text, hand, resize, resize_height };
 
 }  // namespace foldless

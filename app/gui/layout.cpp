@@ -10,7 +10,6 @@ namespace {
 constexpr float kMenuBar = 28;
 constexpr float kStatusBar = 25;
 constexpr float kTimeline = 40;
-constexpr float kKeys = 168;
 constexpr float kStrip = 40;
 constexpr float kRuler = 18;
 constexpr float kNarrow = 960;  ///< design pixels under which one panel holds all sections
@@ -57,11 +56,16 @@ Layout layout_for(Extent framebuffer, float scale, SidePanels panels, const Pane
   return layout;
 }
 
-void add_time_line(Layout& layout, float scale) {
-  const float height = std::round(std::min(kKeys * scale, layout.canvas.height / 2));
-  layout.canvas.height -= height;
-  layout.timeline.y -= height;
-  layout.timeline.height += height;
+void add_time_line(Layout& layout, float scale, double height) {
+  const float wanted = static_cast<float>(height) * scale;
+  const float keys = std::round(std::min(wanted, layout.canvas.height / 2));
+  layout.canvas.height -= keys;
+  layout.timeline.y -= keys;
+  layout.timeline.height += keys;
+}
+
+double time_line_height(const Layout& layout, float scale) {
+  return static_cast<double>((layout.timeline.height - std::round(kTimeline * scale)) / scale);
 }
 
 void split_canvas(Layout& layout, float scale) {

@@ -51,8 +51,15 @@ inline constexpr PanelWidths kNarrowestPanels{200, 260}, kWidestPanels{640, 640}
 Layout layout_for(Extent framebuffer, float scale, SidePanels panels,
                   const PanelWidths& wanted = {});
 
-/// Gives the time line room for keys at the bottom of the canvas.
-void add_time_line(Layout& layout, float scale);
+/// How high the user wants the keys of the time line. [design pixels]
+inline constexpr double kTimeLineHeight = 168, kLowestTimeLine = 80, kHighestTimeLine = 800;
+
+/// Gives the time line room for keys at the bottom of the canvas, at most half of that; `height` in
+/// design pixels.
+void add_time_line(Layout& layout, float scale, double height = kTimeLineHeight);
+
+/// What add_time_line() gave the keys; 0 where it was not called. [design pixels]
+double time_line_height(const Layout& layout, float scale);
 
 /// Gives the left half of the canvas to the pane beside it.
 void split_canvas(Layout& layout, float scale);

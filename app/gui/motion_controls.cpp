@@ -6,6 +6,7 @@
 
 #include "app/gui/choice_list.h"
 #include "app/gui/command_button.h"
+#include "app/gui/easing_curve.h"
 #include "app/gui/panels.h"
 #include "app/gui/time_line.h"
 #include "app/gui/widgets.h"
@@ -40,8 +41,11 @@ std::optional<Easing> easing_of(const Motion& motion) {
   return differs ? std::nullopt : common;
 }
 
-/// The control points of the curve as fields, for those that have no name.
-void draw_curve_fields(const Easing& easing, Motion& motion) {
+/// The curve between ends that are pulled, which are fields too, for those that have no name.
+void draw_curve(const Easing& easing, Motion& motion, const PanelContext& context) {
+  ImGui::TextUnformatted("Pull the ends of the curve:");
+  const auto pulled = draw_easing_curve(easing, context.state.time_line.pulled_curve, context.look);
+  if (pulled && !(*pulled == easing)) motion.set_easing(*pulled);
   std::array<float, 4> values{
       static_cast<float>(easing.first.x()), static_cast<float>(easing.first.y()),
       static_cast<float>(easing.second.x()), static_cast<float>(easing.second.y())};
@@ -54,7 +58,8 @@ void draw_curve_fields(const Easing& easing, Motion& motion) {
   motion.set_easing(curve);
 }
 
-void draw_easing(Editor& editor, const Look& look) {
+void draw_easing(Editor& editor, const PanelContext& context) {
+  const Look& look = context.look;
   Motion& motion = editor.motion();
   ImGui::BeginDisabled(motion.selected().empty());
   const auto easing = easing_of(motion);
@@ -63,11 +68,11 @@ void draw_easing(Editor& editor, const Look& look) {
   for (const NamedEasing& row : easings())
     if (easing == row.easing) words = title_of(row);
   ImGui::SetNextItemWidth(look.px(96));
-  if (begin_combo("##easing", words)) {
+  if (begin_combo("##easing", words, ImGuiComboFlags_HeightLargest)) {
     for (const NamedEasing& row : easings())
       if (choice_entry(title_of(row).c_str(), easing == row.easing)) motion.set_easing(row.easing);
     ImGui::Separator();
-    if (easing) draw_curve_fields(*easing, motion);
+    if (easing) draw_curve(*easing, motion, context);
     ImGui::EndCombo();
   }
   ImGui::EndDisabled();
@@ -113,7 +118,7 @@ void draw_motion_controls(Editor& editor, const PanelContext& context) {
   ImGui::SameLine();
   command_button("motion.onion_skin", Icon::onion_skin, editor, look);
   ImGui::SameLine();
-  draw_easing(editor, look);
+  draw_easing(editor, context);
   ImGui::SameLine();
   if (ImGui::GetContentRegionAvail().x > look.px(230)) draw_length(editor, look);
 }

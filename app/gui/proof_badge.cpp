@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <vector>
 
 #include "app/gui/widgets.h"
 
@@ -55,6 +56,42 @@ std::string tip_of(const Proof& proof) {
   return text.data();
 }
 
+using State = MotionProofStatus::State;
+
+/// `  ·  60 vertices, 0.31 px off at most`: the baked mesh beside the solver's.
+std::string baked_words(const MotionProofStatus& motion) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "  ·  %td vertices, %.2g px off at most", motion.vertices,
+                motion.deviation);
+  return text.data();
+}
+
+/// Before what is told of the frame on screen.
+std::string motion_tip(const MotionProofStatus& motion) {
+  const std::string of_frame = "\n\nOf the frame on screen:\n\n";
+  switch (motion.state) {
+    case State::none: return {};
+    case State::running:
+      return "The frames are being baked onto one mesh, and the ways of its vertices from frame to "
+             "frame proved." +
+             of_frame;
+    case State::unproved:
+      return "The frames were baked onto one mesh, but not every moment is proved: " +
+             motion.problem + "." + of_frame;
+    case State::proved: break;
+  }
+  return "Proved with exact arithmetic: baked onto one mesh whose vertices go straight from frame "
+         "to frame, the animation is injective at every moment" +
+         baked_words(motion) + "." + of_frame;
+}
+
+/// The first of some that takes at most `room` pixels, else the last.
+std::string longest_that_fits(const std::vector<std::string>& candidates, float room) {
+  for (const std::string& words : candidates)
+    if (ImGui::CalcTextSize(words.c_str()).x <= room) return words;
+  return candidates.back();
+}
+
 }  // namespace
 
 std::string badge_words(const Proof& proof, float room) {
@@ -65,28 +102,51 @@ std::string badge_words(const Proof& proof, float room) {
       verdict + "  ·  " + numbers + "  ·  " + std::to_string(proof.triangles) + " △",
       verdict + "  ·  " + numbers, verdict,
       proof.holds() ? folds : std::string(proof.folds() ? "Folded" : "Overlaps")};
-  for (const std::string& words : candidates)
-    if (ImGui::CalcTextSize(words.c_str()).x <= room) return words;
-  return candidates.back();
+  return longest_that_fits({candidates.begin(), candidates.end()}, room);
 }
 
-void draw_proof_badge(const Proof& proof, float room, const Look& look) {
-  const std::string words = badge_words(proof, room - look.px(kMark + 16));
+std::string motion_badge_words(const MotionProofStatus& motion, float room) {
+  const std::string frames = std::to_string(motion.frames) + " frames";
+  switch (motion.state) {
+    case State::none: return {};
+    case State::running:
+      return longest_that_fits({"Proving every moment between " + frames + "…", "Proving…"}, room);
+    case State::unproved:
+      return longest_that_fits({"Not proved: " + motion.problem, "Not proved between frames"},
+                               room);
+    case State::proved: break;
+  }
+  const std::string all = frames + " and every moment between them injective";
+  return longest_that_fits({all + baked_words(motion), all, "every moment injective"}, room);
+}
+
+void draw_proof_badge(const Proof& proof, const MotionProofStatus& motion, float room,
+                      const Look& look) {
+  const float words_room = room - look.px(kMark + 16);
+  const std::string of_motion =
+      proof.holds() ? motion_badge_words(motion, words_room) : std::string();
+  const std::string words = of_motion.empty() ? badge_words(proof, words_room) : of_motion;
+  const bool is_good = proof.holds() && motion.state != State::unproved;
   const ImVec2 text = ImGui::CalcTextSize(words.c_str());
   const float width = text.x + look.px(kMark);
   ImGui::SameLine(ImGui::GetWindowWidth() - width - look.px(12));
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (!proof.holds())
+  if (!is_good)
     ImGui::GetWindowDrawList()->AddRectFilled(
         {corner.x - look.px(6), corner.y - look.px(2)},
         {corner.x + width + look.px(6), corner.y + text.y + look.px(2)},
         packed(look.palette->caution), look.px(4));
-  const ImVec4& mark = proof.holds() ? look.palette->good : look.palette->on_caution;
-  const ImVec4& colour = proof.holds() ? look.palette->text : look.palette->on_caution;
-  draw_mark(proof.holds(), {corner.x + look.px(5), corner.y + text.y / 2}, packed(mark), look);
+  const ImVec4& mark = is_good ? look.palette->good : look.palette->on_caution;
+  const ImVec4& colour = is_good ? look.palette->text : look.palette->on_caution;
+  const ImVec2 centre{corner.x + look.px(5), corner.y + text.y / 2};
+  if (is_good && motion.state == State::running)
+    ImGui::GetWindowDrawList()->AddCircle(centre, look.px(4), packed(look.palette->busy), 0,
+                                          look.px(1.4F));
+  else
+    draw_mark(is_good, centre, packed(mark), look);
   ImGui::SetCursorScreenPos({corner.x + look.px(kMark), corner.y});
   ImGui::TextColored(colour, "%s", words.c_str());
-  tooltip(tip_of(proof), look);
+  tooltip(motion_tip(motion) + tip_of(proof), look);
 }
 
 }  // namespace foldless

@@ -70,6 +70,7 @@ Settings load_settings(const std::filesystem::path& file) {
               kWidestPanels.left);
   read.number("right_panel_width", settings.panel_widths.right, kNarrowestPanels.right,
               kWidestPanels.right);
+  read.number("time_line_height", settings.time_line_height, kLowestTimeLine, kHighestTimeLine);
   read.number("autosave_seconds", settings.autosave_seconds, Autosave::kShortestInterval,
               Autosave::kLongestInterval);
   read.number("window_width", settings.window_width, kLeastWindow, kLargestWindow);
@@ -102,6 +103,7 @@ std::string settings_text(const Settings& settings) {
                       {"rulers", settings.shows_rulers},
                       {"left_panel_width", settings.panel_widths.left},
                       {"right_panel_width", settings.panel_widths.right},
+                      {"time_line_height", settings.time_line_height},
                       {"closed_sections", settings.closed_sections},
                       {"closed_in_animate", settings.closed_in_animate},
                       {"window_width", settings.window_width},

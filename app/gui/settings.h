@@ -26,6 +26,7 @@ struct Settings {
   bool shows_artboard = true;  ///< the outline of a drawing's canvas
   bool shows_rulers = false;
   PanelWidths panel_widths;
+  double time_line_height = kTimeLineHeight;  ///< of its keys [design pixels]
   /// Absent: never chosen, it goes by what is open.
   std::optional<Workspace> workspace;
   std::set<std::string> closed_sections;  ///< of the lab's panels, by title

@@ -54,6 +54,12 @@ void draw_status(const Status& status, const Look& look) {
 /// In a race every lane has its own.
 bool has_badge(const Editor& editor) { return editor.shown() && !editor.race().is_open(); }
 
+/// While an animation is on screen.
+MotionProofStatus motion_proof(const Editor& editor) {
+  const bool shows_frame = editor.draft().look_back() && !editor.draft().look_back()->iteration;
+  return shows_frame ? editor.motion().proof() : MotionProofStatus();
+}
+
 /// At the right end; returns where what is left of the bar ends.
 float draw_badge_and_zoom(Editor& editor, const PanelContext& context, float left) {
   const Look& look = context.look;
@@ -62,7 +68,8 @@ float draw_badge_and_zoom(Editor& editor, const PanelContext& context, float lef
   const float room = width - left - look.px(24);
   const float zoom = zoom_button_width(editor, look) + look.px(36);
   const bool has_zoom = room > zoom + look.px(kShortBadge);
-  draw_proof_badge(editor.draft().proof(), has_zoom ? room - zoom : room, look);
+  draw_proof_badge(editor.draft().proof(), motion_proof(editor), has_zoom ? room - zoom : room,
+                   look);
   const float badge = ImGui::GetItemRectMin().x - ImGui::GetWindowPos().x;
   if (!has_zoom) return badge;
   draw_zoom_menu(editor, badge - look.px(30), look);

@@ -27,8 +27,7 @@ std::string row_words(const Editor& editor, const TimeLineRow& row) {
 /// Steps between the numbers of the ruler: 1, 2 or 5 times a power of ten, with room for them.
 int ruler_step(const TimeLinePlace& place, float room) {
   int step = 1;
-  for (int k = 0; place.width() / static_cast<float>(place.last) * static_cast<float>(step) < room;
-       ++k)
+  for (int k = 0; place.width() * static_cast<float>(step / place.shown) < room; ++k)
     step = k % 3 == 1 ? step / 2 * 5 : step * 2;
   return step;
 }
@@ -50,6 +49,7 @@ class TimeLineDrawing {
     draw_labels();
     draw_keys();
     draw_play_head();
+    draw_sight();
     if (gesture_.kind == TimeLineGesture::Kind::band) draw_band();
     if (rows_.empty()) draw_hint();
   }
@@ -60,8 +60,9 @@ class TimeLineDrawing {
   void draw_ruler() {
     const int step = ruler_step(place_, look_.px(44));
     const float y = place_.area.y;
-    const float play_head = place_.x_of(editor_.motion().frame());
+    const float play_head = place_.x_of(editor_.motion().moment());
     for (int frame = 0; frame <= place_.last; frame += step) {
+      if (!place_.is_in_sight(frame)) continue;
       const float x = place_.x_of(frame);
       list_.AddLine({x, y + place_.ruler * 0.6F}, {x, bottom()}, packed(look_.palette->dim, 0.35F));
       const std::string words = std::to_string(frame);
@@ -77,9 +78,10 @@ class TimeLineDrawing {
     const MotionFrames& frames = editor_.motion().frames();
     const FramesStatus status = frames.status();
     const float y = place_.area.y + place_.ruler - look_.px(3);
-    const float half = std::max(1.0F, place_.width() / static_cast<float>(place_.last) / 2);
+    const float half = std::max(1.0F, place_.width() / static_cast<float>(place_.shown) / 2);
     const ImU32 good = packed(look_.palette->good, status.is_done ? 1.0F : 0.6F);
     for (int f = 0; f < static_cast<int>(status.solved); ++f) {
+      if (!place_.is_in_sight(f)) continue;
       const auto frame = frames.frame(f);
       const float x = place_.x_of(f), r = look_.px(4);
       const float from = std::max(x - half, place_.left());
@@ -128,7 +130,9 @@ class TimeLineDrawing {
     for (const bool is_selected : {false, true})
       for (const KeyPlace& key : keys) {
         if (motion.selected().contains(key) != is_selected) continue;
-        const float x = place_.x_of(is_selected && to ? to(key.frame) : key.frame);
+        const int frame = is_selected && to ? to(key.frame) : key.frame;
+        if (!place_.is_in_sight(frame)) continue;
+        const float x = place_.x_of(frame);
         diamond(x, place_.y_of_all(), is_selected);
         const auto row = std::ranges::find_if(rows_, [&](const TimeLineRow& r) {
           return r.handle == key.handle && r.property == key.property;
@@ -139,11 +143,24 @@ class TimeLineDrawing {
       }
   }
 
+  /// What part of the frames is in sight, where it is not all.
+  void draw_sight() {
+    if (place_.shown >= place_.last) return;
+    const float left = place_.left(), width = place_.width(), y = bottom() - look_.px(3);
+    const auto at = [&](double frame) {
+      return left + width * static_cast<float>(frame / place_.last);
+    };
+    list_.AddLine({left, y}, {left + width, y}, packed(look_.palette->dim, 0.3F), look_.px(2));
+    list_.AddLine({at(place_.first), y}, {at(place_.first + place_.shown), y},
+                  packed(look_.palette->dim), look_.px(3));
+  }
+
   void draw_play_head() {
-    const float x = place_.x_of(editor_.motion().frame());
+    if (!place_.is_in_sight(editor_.motion().moment())) return;
+    const float x = place_.x_of(editor_.motion().moment());
     const ImU32 colour = packed(look_.palette->accent);
     list_.AddLine({x, place_.area.y}, {x, bottom()}, colour, look_.px(1.6F));
-    const std::string words = std::to_string(editor_.motion().frame());
+    const std::string words = moment_words(editor_.motion().moment());
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     const float half = size.x / 2 + look_.px(4);
     list_.AddRectFilled({x - half, place_.area.y}, {x + half, place_.area.y + size.y}, colour,
@@ -183,7 +200,7 @@ void draw_time_line(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   TimeLineState& state = context.state.time_line;
   const TimeLinePlace place = time_line_place(context.layout.timeline, look.scale,
-                                              editor.motion().animation().cycle, state.first_row);
+                                              editor.motion().animation().cycle, state.view);
   if (place.area.height < 2 * place.row) return;  // It was opened after the layout was made.
   ImGui::SetNextWindowPos({place.area.x, place.area.y});
   ImGui::SetNextWindowSize({place.area.width, place.area.height});

@@ -3,9 +3,12 @@
 
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 
 #include "app/editor/key_edits.h"
+#include "app/gui/easing_curve.h"
+#include "app/gui/time_line_place.h"
 
 namespace foldless {
 
@@ -31,7 +34,9 @@ struct TimeLineGesture {
 /// What the time line remembers from frame to frame.
 struct TimeLineState {
   TimeLineGesture gesture = {};
-  int first_row = 0;  ///< in sight
+  TimeLineView view = {};
+  std::optional<PulledCurve> pulled_curve = {};  ///< of an easing
+  double seen_moment = 0;                        ///< of the play head, which was brought into sight
 };
 
 /// `Both` and so on.

@@ -18,6 +18,9 @@ using Kind = TimeLineGesture::Kind;
 constexpr const char* kMenu = "##keys menu";
 constexpr std::array kMenuRows{"motion.copy", "motion.paste", "motion.select_keys", "edit.delete"};
 
+constexpr double kZoomOfANotch = 1.25;
+constexpr double kSightOfANotch = 0.1;  ///< of what is in sight
+
 bool is_in_row(const KeyPlace& key, const TimeLineRow& row) {
   return key.handle == row.handle && key.property == row.property;
 }
@@ -39,17 +42,38 @@ class Hand {
     if (ImGui::IsItemActivated() && io_.MouseDown[ImGuiMouseButton_Left]) press();
     if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) open_menu();
     if (gesture_.kind != Kind::none && ImGui::IsKeyPressed(ImGuiKey_Escape)) gesture_ = {};
-    if (gesture_.kind == Kind::scrub) motion_.go_to(place_.frame_at(io_.MousePos.x));
+    if (gesture_.kind == Kind::scrub) scrub();
     if (gesture_.kind == Kind::band) select_band();
     if (gesture_.kind != Kind::none && !io_.MouseDown[ImGuiMouseButton_Left]) release();
     draw_menu();
   }
 
  private:
+  /// The wheel goes through the rows; with Ctrl it zooms, with Shift it goes along the frames.
   void scroll() {
+    TimeLineView& view = state_.view;
+    const Cycle& cycle = motion_.animation().cycle;
+    if (ImGui::IsItemHovered()) {
+      const auto notches = static_cast<double>(io_.MouseWheel);
+      const double along = static_cast<double>(io_.MouseWheelH) + (io_.KeyShift ? notches : 0);
+      if (io_.KeyCtrl)
+        view =
+            zoomed(view, std::pow(kZoomOfANotch, notches), place_.moment_at(io_.MousePos.x), cycle);
+      else if (!io_.KeyShift)
+        view.first_row -= static_cast<int>(notches);
+      view = scrolled(view, -along * kSightOfANotch * place_.shown, cycle);
+    }
     const int most = std::max(0, static_cast<int>(rows_.size()) - place_.rows_in_sight());
-    if (ImGui::IsItemHovered()) state_.first_row -= static_cast<int>(io_.MouseWheel);
-    state_.first_row = std::clamp(state_.first_row, 0, most);
+    view.first_row = std::clamp(view.first_row, 0, most);
+    if (std::exchange(state_.seen_moment, motion_.moment()) != motion_.moment())
+      view = with_moment_in_sight(view, motion_.moment(), cycle);
+  }
+
+  void scrub() {
+    if (io_.KeyAlt)
+      motion_.go_between(place_.moment_at(io_.MousePos.x));
+    else
+      motion_.go_to(place_.frame_at(io_.MousePos.x));
   }
 
   /// The keys under the pointer: several in the row of all.
@@ -63,7 +87,7 @@ class Hand {
     for (const KeyPlace& key : keys_of(motion_.animation())) {
       if (row >= 0 && !is_in_row(key, rows_[static_cast<std::size_t>(row)])) continue;
       const float distance = std::abs(place_.x_of(key.frame) - io_.MousePos.x);
-      if (distance > reach) continue;
+      if (distance > reach || !place_.is_in_sight(key.frame)) continue;
       if (!frame || distance < std::abs(place_.x_of(*frame) - io_.MousePos.x)) {
         frame = key.frame;
         found.clear();

@@ -15,6 +15,13 @@ struct TimeLineRow {
 };
 std::vector<TimeLineRow> time_line_rows(const Animation& animation);
 
+/// What part of the time line is in sight.
+struct TimeLineView {
+  int first_row = 0;  ///< of time_line_rows()
+  double first = 0;   ///< the moment at the left end [frames]
+  double zoom = 1;    ///< ≥ 1: all frames take so many times the room that there is
+};
+
 /// Where frames and rows are in the window. Below the ruler the first row has the keys of all.
 struct TimeLinePlace {
   Rectangle area;     ///< of the ruler and the rows
@@ -24,12 +31,19 @@ struct TimeLinePlace {
   float row = 0;      ///< the height of one
   int last = 1;       ///< the largest frame, > 0
   int first_row = 0;  ///< of time_line_rows() that is in sight
+  double first = 0;   ///< the moment at the left end [frames]
+  double shown = 1;   ///< so many frames are in sight, > 0
 
   float left() const { return area.x + labels + margin; }
   float width() const { return area.width - labels - 2 * margin; }
   float x_of(double frame) const {
-    return left() + width() * static_cast<float>(frame) / static_cast<float>(last);
+    return left() + width() * static_cast<float>((frame - first) / shown);
   }
+  bool is_in_sight(double frame) const {
+    return first - 1e-9 <= frame && frame <= first + shown + 1e-9;
+  }
+  /// Any moment, kept within the cycle. [frames]
+  double moment_at(float x) const;
   /// The nearest frame.
   int frame_at(float x) const;
   float y_of_all() const { return area.y + ruler + row / 2; }
@@ -44,6 +58,14 @@ struct TimeLinePlace {
 
 /// `timeline` as in Layout, with the rows of the transport above.
 TimeLinePlace time_line_place(const Rectangle& timeline, float scale, const Cycle& cycle,
-                              int first_row);
+                              const TimeLineView& view);
+
+/// The view with a zoom by `factor` about a moment, which stays where it is; no closer than a few
+/// frames.
+TimeLineView zoomed(const TimeLineView& view, double factor, double about, const Cycle& cycle);
+/// The view moved by so many frames, kept within the cycle.
+TimeLineView scrolled(const TimeLineView& view, double by, const Cycle& cycle);
+/// The view moved just so far that a moment is in sight.
+TimeLineView with_moment_in_sight(const TimeLineView& view, double moment, const Cycle& cycle);
 
 }  // namespace foldless

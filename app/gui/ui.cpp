@@ -207,7 +207,7 @@ void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   p.state.workspace = workspace_for(p.state.settings, editor);
   p.layout = layout_for(spec.framebuffer, scale, p.panels(editor), p.state.settings.panel_widths);
   if (editor.motion().is_open() && !has_race && !editor.document().is_empty())
-    add_time_line(p.layout, scale);
+    add_time_line(p.layout, scale, p.state.settings.time_line_height);
   if (editor.view().beside() != Beside::nothing && !has_race) split_canvas(p.layout, scale);
   const bool has_canvas = !editor.document().is_empty() && !has_race && !preview_of(editor);
   if (p.state.settings.shows_rulers && has_canvas) add_rulers(p.layout, scale);
@@ -287,6 +287,7 @@ CursorShape Ui::cursor() const {
   if (ImGui::GetIO().WantTextInput && ImGui::GetMouseCursor() == ImGuiMouseCursor_TextInput)
     return CursorShape::text;
   if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) return CursorShape::resize;
+  if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeNS) return CursorShape::resize_height;
   return parts_->canvas_input.cursor();
 }
 

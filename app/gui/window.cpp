@@ -94,8 +94,8 @@ Window::~Window() {
 }
 
 void Window::make_cursors() {
-  for (const int shape :
-       {GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HAND_CURSOR, GLFW_HRESIZE_CURSOR})
+  for (const int shape : {GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HAND_CURSOR,
+                          GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR})
     cursors_.push_back(glfwCreateStandardCursor(shape));
 }
 

@@ -58,6 +58,9 @@ std::unique_ptr<Tool> begin_painting(Editor& editor, const PointerPressed& event
 /// Moves an end of the mirror's axis until the left button is released; null where none is.
 std::unique_ptr<Tool> begin_axis(Editor& editor, const Vec2& from);
 
+/// Moves the centre of a swing by its grip until the left button is released; null where none is.
+std::unique_ptr<Tool> begin_swing(Editor& editor, const Vec2& from);
+
 /// Moves the view until the button is released.
 std::unique_ptr<Tool> make_pan_tool(const Vec2& from, Button button);
 

@@ -30,6 +30,7 @@ class IdleTool final : public Tool {
       return make_press_tool(event, hit, true);
     }
     if (auto axis = begin_axis(editor, event.position)) return axis;
+    if (auto swing = begin_swing(editor, event.position)) return swing;
     const bool is_on_mesh =
         pick_mesh(shown, editor.canvas(), event.position, editor.draft().paint_order()).has_value();
     return make_press_tool(event, std::nullopt, is_on_mesh);

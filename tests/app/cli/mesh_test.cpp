@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/cli/problem.h"
+#include "app/export/texture_place.h"
 #include "core/files/mesh_io.h"
 #include "render/figure.h"
 #include "tests/app/cli/command.h"

@@ -174,7 +174,12 @@ TEST_P(EveryScreen, OfATimeLine) {
     run("motion.onion_skin");
     headless_.editor().motion().go_to(workspace == Workspace::lab ? 23 : 11);
     headless_.calm_down();
+    look_at("file.export");
   }
+  run("file.export");
+  headless_.click(headless_.find_words("Animated WebP (.webp)").value());
+  headless_.click(headless_.find_words("glTF, baked (.glb)").value());
+  headless_.settle();
 }
 
 TEST_P(EveryScreen, OfAPicture) {

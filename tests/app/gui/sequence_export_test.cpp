@@ -49,7 +49,8 @@ class Sequences : public testing::Test {
 TEST_F(Sequences, EveryIterationIsWrittenFromTheDialogWhileTheWindowLives) {
   ASSERT_GT(iterations(), 1U);
   headless_.key(Key::e, kControl);
-  headless_.click({726, 268});
+  ASSERT_TRUE(headless_.find_words("PNG sequence"));
+  headless_.click(*headless_.find_words("PNG sequence"));
   headless_.key(Key::enter);
   headless_.key(Key::a, kControl);
   headless_.type((folder_ / "film").string());

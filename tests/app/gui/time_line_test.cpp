@@ -2,10 +2,8 @@
 // The time line under the mouse: the whole editor off screen.
 #include <gtest/gtest.h>
 
-#include "app/editor/edits.h"
 #include "app/gui/time_line_place.h"
-#include "core/mesh/generate.h"
-#include "tests/app/gui/headless_editor.h"
+#include "tests/app/gui/animated_bar.h"
 
 namespace foldless::test {
 namespace {
@@ -15,30 +13,11 @@ constexpr auto kPosition = KeyedProperty::position;
 /// A bar with two handles, of which the second has keys at frames 0, 10 and 20 of 25.
 class TimeLine : public testing::Test {
  protected:
-  TimeLine() {
-    Editor& editor = headless_.editor();
-    editor.files().open_shape(bar(4, 1, 3), "bar");
-    headless_.calm_down();
-    Document document = editor.document();
-    for (const int vertex : {0, 12}) document = place_handle(document, {.vertex = vertex}).document;
-    Animation animation;
-    animation.cycle = {25, false};
-    HandleTracks tracks;
-    tracks.handle = 1;
-    const Vec2 p = document.handles[1].target;
-    tracks.position = {{0, p, {}}, {10, p + Vec2(0, 1), {}}, {20, p + Vec2(-0.5, 1), {}}};
-    animation.tracks = {tracks};
-    document.animation = std::make_shared<const Animation>(animation);
-    editor.draft().edit("Keys", document, Change::mesh);
-    headless_.settle();
-    headless_.key(Key::t);
-    headless_.wait_until([&] { return motion().frames().status().is_done; });
-    headless_.settle();
-  }
+  TimeLine() { open_animated_bar(headless_); }
 
   Motion& motion() { return headless_.editor().motion(); }
   TimeLinePlace place() {
-    return time_line_place(headless_.ui().layout().timeline, 1, motion().animation().cycle, 0);
+    return time_line_place(headless_.ui().layout().timeline, 1, motion().animation().cycle, {});
   }
   /// A key of the only row; row −1 is that of all.
   Vec2 at(int frame, int row = 0) {

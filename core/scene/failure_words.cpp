@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/failure_words.h"
+#include "core/scene/failure_words.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/video_file.h"
+#include "app/export/video_file.h"
 
 #include <signal.h>
 #include <spawn.h>
@@ -10,8 +10,10 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -157,6 +159,14 @@ class VideoFile : public FilmOutput {
 };
 
 }  // namespace
+
+bool has_ffmpeg() {
+  const char* const variable = std::getenv("PATH");
+  std::istringstream folders(variable ? variable : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((fs::path(folder) / "ffmpeg").c_str(), X_OK) == 0) return true;
+  return false;
+}
 
 std::unique_ptr<FilmOutput> video_file(const fs::path& path, const FilmOptions& options) {
   return std::make_unique<VideoFile>(path, options);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/gltf_pieces.h"
+#include "app/export/gltf_pieces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/cli/problem.h"
+#include "app/export/texture_place.h"
 #include "core/mesh/parts.h"
 #include "render/theme.h"
 #include "render/view_options.h"

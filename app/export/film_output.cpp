@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/film_output.h"
+#include "app/export/film_output.h"
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "app/cli/video_file.h"
 #include "app/export/animation_format.h"
 #include "app/export/sprite_sheet.h"
+#include "app/export/video_file.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/file_group.h"

@@ -4,9 +4,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/cli/film_output.h"
+#include "app/export/film_output.h"
 
 namespace foldless {
+
+/// Whether there is a program ffmpeg to be started.
+bool has_ffmpeg();
 
 /// A video that the program ffmpeg makes of the pictures; the file takes its name when it is whole.
 /// A .webm keeps transparency. Throws Error, here or later, where there is no ffmpeg or it fails.
