@@ -15,8 +15,6 @@
 namespace foldless {
 namespace {
 
-using Kind = AnimationFormat::Kind;
-
 /// At most so many pictures are sampled for a palette.
 constexpr std::size_t kSamples = 12;
 
@@ -69,7 +67,7 @@ FigureOptions figure_of(const AnimationToWrite& animation) {
 
 void expect_no_source(const AnimationToWrite& animation) {
   expect_no_source(animation, {animation.output});
-  if (animation.format.kind == Kind::sheet)
+  if (animation.format.kind == AnimationFormat::Kind::sheet)
     expect_no_source(animation, {picture_of_sheet(animation.output)});
 }
 
@@ -100,7 +98,7 @@ std::optional<WrittenBake> write_bake(const AnimationToWrite& animation, const F
       token);
   if (!baked || token.stop_requested()) return std::nullopt;
   BakedLook look;
-  if (animation.format.kind != Kind::foldless)
+  if (animation.format.kind != AnimationFormat::Kind::foldless)
     look.pieces = gltf_pieces(*animation.scene, *baked, animation.texture);
   look.units = engine_units(animation.scene->rest, look.pieces);
   BakedFiles files = baked_files(animation.output, animation.format, *baked, look);

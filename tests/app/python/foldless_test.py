@@ -153,7 +153,7 @@ sys.path.insert(0, sys.argv[1])
 import foldless, foldless_test
 print("begins", flush=True)
 try:
-    foldless.solve(*foldless_test.swapped(120))
+    foldless.solve(*foldless_test.swapped(240))
 except KeyboardInterrupt as stop:
     r = stop.result
     print(r.outcome, foldless.check(r.V, r.F, r.U)["injective"], len(r.log) > 0)

@@ -51,7 +51,8 @@ int flipped_edges(const Foldless& method, const Problem& problem) {
 TEST(GoBack, AHandleThatIsDraggedAwayAndBackGivesTheMeshBack) {
   const Problem problem = dragged_grid();
   int flipped_on_the_way = 0;
-  for (const Vec2& way : {Vec2(0.3, 0.02), Vec2(-0.28, 0.13), Vec2(0.05, 0.31), Vec2(-0.2, -0.25)}) {
+  for (const Vec2& way :
+       {Vec2(0.3, 0.02), Vec2(-0.28, 0.13), Vec2(0.05, 0.31), Vec2(-0.2, -0.25)}) {
     SCOPED_TRACE(testing::Message() << "by " << way.transpose());
     Foldless method(problem);
     go_on_to_rest(method);
