@@ -6,20 +6,20 @@
 namespace foldless {
 namespace {
 
-using Kind = AnimationFormat::Kind;
+using FormatKind = AnimationFormat::Kind;
 
 constexpr std::array<AnimationFormat, 11> kFormats{{
-    {Kind::film, ".png", "animated PNG"},
-    {Kind::film, ".gif", "animated GIF"},
-    {Kind::film, ".webp", "animated WebP"},
-    {Kind::video, ".mp4", "MP4 video"},
-    {Kind::video, ".webm", "WebM video"},
-    {Kind::sheet, ".json", "sprite sheet"},
-    {Kind::gltf, ".glb", "glTF, baked"},
-    {Kind::spine, ".spine.json", "Spine, baked"},
-    {Kind::godot, ".tscn", "Godot scene, baked"},
-    {Kind::foldless, ".foldless", "Foldless animation, baked"},
-    {Kind::folder, "", "folder of pictures"},
+    {FormatKind::film, ".png", "animated PNG"},
+    {FormatKind::film, ".gif", "animated GIF"},
+    {FormatKind::film, ".webp", "animated WebP"},
+    {FormatKind::video, ".mp4", "MP4 video"},
+    {FormatKind::video, ".webm", "WebM video"},
+    {FormatKind::sheet, ".json", "sprite sheet"},
+    {FormatKind::gltf, ".glb", "glTF, baked"},
+    {FormatKind::spine, ".spine.json", "Spine, baked"},
+    {FormatKind::godot, ".tscn", "Godot scene, baked"},
+    {FormatKind::foldless, ".foldless", "Foldless animation, baked"},
+    {FormatKind::folder, "", "folder of pictures"},
 }};
 
 }  // namespace
