@@ -70,11 +70,11 @@ void plain_subtract_and_solve(const ColumnStrip& s, const double* triangle) {
 
 }  // namespace
 
-const DenseKernels kPlainKernels = {"plain", plain_subtract, plain_set_negative,
+const DenseKernels plain_kernels = {"plain", plain_subtract, plain_set_negative,
                                     plain_subtract_and_solve};
 
 const DenseKernels& dense_kernels() {
-  static const DenseKernels& best = avx2_kernels() ? *avx2_kernels() : kPlainKernels;
+  static const DenseKernels& best = avx2_kernels() ? *avx2_kernels() : plain_kernels;
   return best;
 }
 

@@ -29,7 +29,7 @@ struct DenseKernels {
 };
 
 /// Those that every processor has.
-extern const DenseKernels kPlainKernels;
+extern const DenseKernels plain_kernels;
 /// Those for AVX2 and FMA; null where the program or the processor does not have them.
 const DenseKernels* avx2_kernels();
 /// The best that this processor has.

@@ -109,13 +109,14 @@ __attribute__((target("avx2,fma"))) void avx2_subtract_and_solve(const ColumnStr
 
 #undef FOLDLESS_AVX2
 
-const DenseKernels kAvx2Kernels = {"AVX2", avx2_subtract, avx2_set_negative,
-                                   avx2_subtract_and_solve};
+const DenseKernels kernels_for_avx2 = {"AVX2", avx2_subtract, avx2_set_negative,
+                                       avx2_subtract_and_solve};
 
 }  // namespace
 
 const DenseKernels* avx2_kernels() {
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &kAvx2Kernels : nullptr;
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &kernels_for_avx2
+                                                                         : nullptr;
 }
 
 #else

@@ -121,6 +121,7 @@ class Multifrontal {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
               double* values, UpdateStacks& stacks) {
   for (int i = 0; i < 2; ++i) stacks.stack[i].reserve(factor.stack_sizes[i]);

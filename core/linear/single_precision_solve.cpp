@@ -118,6 +118,7 @@ FOLDLESS_AVX2 void backward_pair(const Supernode& s, const int* node, const floa
 }
 
 /// x becomes L⁻¹ x.
+// NOLINTNEXTLINE(readability-function-size): a kernel, which is called for every supernode
 FOLDLESS_AVX2 void forward_single(const Supernode& s, const int* node, const float* value, float* x,
                                   float* work) {
   if (s.columns == 2) return forward_pair(s, node, value, x);
@@ -138,6 +139,7 @@ FOLDLESS_AVX2 void forward_single(const Supernode& s, const int* node, const flo
 }
 
 /// x becomes L⁻ᵀ x.
+// NOLINTNEXTLINE(readability-function-size): a kernel, which is called for every supernode
 FOLDLESS_AVX2 void backward_single(const Supernode& s, const int* node, const float* value,
                                    float* x, float* work) {
   if (s.columns == 2) return backward_pair(s, node, value, x);

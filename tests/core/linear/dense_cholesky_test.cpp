@@ -86,11 +86,11 @@ TEST_P(DenseCholeskyTest, TheFirstColumnWithoutAPositivePivotIsNamed) {
 }
 
 TEST(DenseKernels, AreTheBestThatThereAre) {
-  EXPECT_EQ(&dense_kernels(), avx2_kernels() ? avx2_kernels() : &kPlainKernels);
+  EXPECT_EQ(&dense_kernels(), avx2_kernels() ? avx2_kernels() : &plain_kernels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, DenseCholeskyTest,
-                         testing::Values(&kPlainKernels, avx2_kernels()),
+                         testing::Values(&plain_kernels, avx2_kernels()),
                          [](const auto& test) { return test.index == 0 ? "plain" : "avx2"; });
 
 }  // namespace
