@@ -128,7 +128,10 @@ TEST_F(AnimationExports, KeepWhatTheyBeganWith) {
 TEST_F(AnimationExports, CancelledLeaveNothing) {
   for (const AnimationFormat& format : animation_formats()) {
     if (format.kind == AnimationFormat::Kind::video) continue;
-    start(folder_ / ("bar" + std::string(format.ending)));
+    const fs::path path = folder_ / ("bar" + std::string(format.ending));
+    AnimationChoice many_frames = choice(path);
+    many_frames.fps = 20 * editor().motion().animation().fps;
+    writing_->start(path, editor(), many_frames);
     const auto has_begun = [&] {
       update();
       return writing_->share().value_or(0) > 0.3F;
