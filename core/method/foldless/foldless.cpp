@@ -83,7 +83,6 @@ Foldless::Foldless(const Problem& problem, const CoarseSettings& dense)
       work_(problem_.mesh, constraints_of(problem_.handles), settings_, effort()),
       regions_(prescribed_regions(problem_.mesh, work_.constraints)) {
   settings_.fixed_boundary = boundary_vertices(regions_, work_.constraints);
-  original_ = original_triangles(problem_, settings_.first_removable);
   begin(solve(Start::problem));
 }
 
@@ -135,7 +134,10 @@ Steps<Outcome> Foldless::solve(Start start) {
   }
 
   co_await tidy(work_);
-  if (is_drag && original_) co_await go_back(work_, *original_);
+  if (is_drag) {
+    const auto original = original_triangles(problem_, settings_.first_removable);
+    if (original) co_await go_back(work_, *original);
+  }
   if (!is_drag) co_await try_candidates();
   if (!is_drag) co_await uncrush(ways);
   co_return Outcome::gradient;

@@ -63,7 +63,6 @@ class Foldless final : public SteppedMethod {
   RunSettings settings_;
   Workspace work_;
   std::vector<PrescribedRegion> regions_;
-  std::optional<Triangles> original_;  ///< what drags go back to
   std::string verdict_;
 };
 
