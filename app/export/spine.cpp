@@ -148,11 +148,17 @@ SpineText spine_text(const BakedAnimation& animation, const std::vector<GltfPiec
     meshes.push_back(engine_mesh(animation, pieces[i].triangles));
     const std::string region = region_name(name, i, pieces.size());
     names.push_back(json_string(region));
-    const std::string width = std::to_string(pieces[i].image.width);
-    const std::string height = std::to_string(pieces[i].image.height);
-    result.atlas += (i > 0 ? "\n" : "") + region + ".png\nsize:" + width + "," + height +
-                    "\nfilter:Linear,Linear\n" + region + "\nbounds:0,0," + width + "," + height +
-                    "\n";
+    const std::string size = std::to_string(pieces[i].image.width) + "," +
+                             std::to_string(pieces[i].image.height);
+    result.atlas.append(i > 0 ? "\n" : "")
+        .append(region)
+        .append(".png\nsize:")
+        .append(size)
+        .append("\nfilter:Linear,Linear\n")
+        .append(region)
+        .append("\nbounds:0,0,")
+        .append(size)
+        .append("\n");
   }
   std::string& text = result.json;
   text = "{";

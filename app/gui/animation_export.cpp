@@ -98,7 +98,7 @@ AnimationExport::End AnimationExport::write(Job& job) {
 }
 
 AnimationExport::End AnimationExport::write_job(Job& job) {
-  const End cancelled{ToastKind::notice, "The animation was cancelled; nothing was kept."};
+  End cancelled{ToastKind::notice, "The animation was cancelled; nothing was kept."};
   const std::stop_token token = stop_.get_token();
   AnimationToWrite& animation = job.animation;
   if (!job.moments.empty()) {
