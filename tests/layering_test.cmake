@@ -5,7 +5,7 @@
 # Regular expressions for what a file may include. Quoted includes are paths from the project's
 # root; the others are listed with their angle bracket.
 set(STD "<[a-z_]+>")
-set(POSIX "<(fcntl|unistd|poll|pthread|spawn|signal|sys/[a-z]+)\\.h>")
+set(POSIX "<(fcntl|unistd|poll|pthread|sched|spawn|signal|sys/[a-z]+)\\.h>")
 set(IMAGE_CODECS "<(png|gif_lib|turbojpeg|webp/[a-z_]+|zip|zlib|liblzf/lzf)\\.h>|<pugixml\\.hpp>")
 set(CORE "core/(error|handle|iteration|snapshot|stage_times|data_path)\\.h")
 set(PLAIN "${STD}|${POSIX}")
@@ -53,7 +53,7 @@ endfunction()
 # 1 and 2. What core may see, a layer at a time: mesh <- {files, depth, motion, rig}; linear <- cone;
 # {mesh, linear} <- energy <- {solve, remesh <- multires <- construct, scene} <- method <- run
 # <- api, the headers of which see nothing of the others.
-set(BASE "${PLAIN}|${CORE}|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
+set(BASE "${PLAIN}|${CORE}|core/threads/.*|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
 set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
 set(FILES "${MESH}|core/files/.*")
 set(LINEAR "${BASE}|core/linear/.*")
@@ -61,6 +61,7 @@ set(ENERGY "${MESH}|core/linear/sparse_symmetric\\.h|core/energy/.*")
 set(REMESH "${ENERGY}|core/remesh/.*")
 set(SCENE "${ENERGY}|core/(files|scene)/.*|core/motion/(animation|bake|easing|track)\\.h|core/rig/(mirror_axis|rig)\\.h")
 set(METHOD "${REMESH}|core/(solve|multires|construct|cone|method)/.*|core/scene/parameters\\.h")
+may_include("core/threads/.*" "${PLAIN}|core/threads/.*")
 may_include("core/mesh/.*" "${MESH}|<CGAL/.*>")
 may_include("core/files/.*" "${FILES}|<CGAL/.*>")
 may_include("core/depth/.*" "${MESH}|core/depth/.*")
@@ -107,9 +108,9 @@ only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(sim
 only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")
 only_in("app/export/vector_[a-z]+\\.(h|cpp)" "<cairo" "cairo belongs to the vector figures")
 only_in("app/cli/subcommands\\.h" "<CLI/" "CLI11 belongs to subcommands.h and who includes it")
-only_in("(core/run|app/(bench|export|python))/.*"
+only_in("(core/(run|threads)|app/(bench|export|python))/.*"
         "std::j?thread([^a-z_:]|$)|std::async|pthread_create|#pragma omp"
-        "only core/run, app/bench, app/export and app/python start threads")
+        "only core/run, core/threads, app/bench, app/export and app/python start threads")
 only_in("app/python/.*" "<pybind11/" "pybind11 belongs to app/python")
 
 # 3. Doubles and Eigen meet floats and GLM in two files of the renderer.

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/run/stop_watch.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -47,6 +48,8 @@ class Pool {
 
  private:
   void work(std::size_t worker) {
+    Team team(options_.team);
+    const WithTeam with(&team);
     std::unique_lock lock(mutex_);
     while (next_ < jobs_.size()) {
       const std::size_t index = next_++;

@@ -8,9 +8,11 @@
 
 namespace foldless {
 
-/// How jobs are run. Each run has a thread to itself, and what is reported is its processor time.
+/// How jobs are run. Each run has a thread to itself, and what is reported is its processor time;
+/// while it waits for helpers it does not sleep.
 struct BenchOptions {
   int threads = 1;         ///< runs at a time
+  int team = 1;            ///< threads of each run, which has the same result with any number
   int repeat = 1;          ///< runs of each job, of whose processor times the median counts
   double time_limit = 60;  ///< processor seconds of a run, noticed between factorizations
 };

@@ -44,7 +44,7 @@ struct SolveCall {
   std::optional<int> frame_step;            ///< a frame every so many meshes; absent: no frames
   std::optional<double> time_limit;         ///< processor seconds of solving; absent: none
   bool render = false;                      ///< a picture of the result and of every frame
-  std::optional<int> threads;               ///< for drawing; absent: as many as there are cores
+  std::optional<int> threads;               ///< absent: as many as there are cores
   bool json = false;                        ///< the report on stdout, and nothing else
   bool quiet = false;                       ///< nothing on stdout
 };

@@ -265,6 +265,7 @@ void read_bench(const Texts& texts, BenchCall& call) {
   read_sweep(texts, call);
   if (call.count < 1) throw Error("--count takes a number of 1 or more");
   if (call.options.threads < 1) throw Error("--jobs takes a number of 1 or more");
+  if (call.options.team < 1) throw Error("--threads takes a number of 1 or more");
   if (call.options.repeat < 1) throw Error("--repeat takes a number of 1 or more");
   if (!(call.options.time_limit > 0)) throw Error("--time-limit takes a number above 0");
 }

@@ -21,6 +21,7 @@
 #include "core/run/run.h"
 #include "core/run/stop_watch.h"
 #include "core/scene/parameter_keys.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -136,6 +137,8 @@ int solve(const SolveCall& call) {
   LoadedScene loaded = load_scene_file(call.scene);
   Scene& scene = loaded.scene;
   apply_options(call, scene);
+  Team team(call.threads.value_or(cores()));
+  const WithTeam with(&team);
   const Interrupt interrupt;
   const StopWatch watch(
       {.time_limit = call.time_limit, .is_interrupted = [&] { return interrupt.is_requested(); }});

@@ -47,7 +47,7 @@ CLI::App* add_solve(CLI::App& app, SolveCall& call, Texts& texts) {
                    "processor seconds of solving; what was reached by then is written")
       ->type_name("SECONDS");
   solve->add_flag("--render", call.render, "draw the result and every frame as PNG");
-  solve->add_option("--threads", call.threads, "threads for drawing; the solver itself uses one")
+  solve->add_option("--threads", call.threads, "for solving and drawing, all cores when absent")
       ->type_name("N");
   solve->add_flag("--json", call.json, "print the report on stdout, and nothing else");
   solve->add_flag("--quiet", call.quiet, "print nothing but errors");
@@ -200,6 +200,8 @@ CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
   bench->add_option("--only", texts.only, "comma-separated indices of scenes, from 0")
       ->type_name("LIST");
   bench->add_option("--jobs", call.options.threads, "runs at a time, 1 when absent")
+      ->type_name("N");
+  bench->add_option("--threads", call.options.team, "threads of each run, 1 when absent")
       ->type_name("N");
   bench->add_option("--repeat", call.options.repeat, "runs of which the median time counts")
       ->type_name("N");

@@ -64,6 +64,7 @@ Problem problem_of_arrays(const PointsRef& rest, const TrianglesRef& triangles,
                           const SolveOptions& options) {
   check_positive(options.time_limit, "the time limit");
   check_positive(options.beta, "beta");
+  if (options.threads < 1) throw Error("the number of threads has to be 1 or more");
   Problem problem;
   problem.energy = &density_named(options.energy);
   problem.mesh = mesh_of_arrays(rest, triangles);

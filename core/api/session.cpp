@@ -10,6 +10,7 @@
 #include "core/api/point_map.h"
 #include "core/api/problem_of_arrays.h"
 #include "core/run/stop_watch.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -31,6 +32,7 @@ class Session::Impl {
       : input_(problem.mesh.triangles()),
         handles_(static_cast<Eigen::Index>(problem.handles.size())),
         time_limit_(options.time_limit),
+        team_(options.threads),
         run_(problem, 0, starter_for(options)) {
     note(std::nullopt);
   }
@@ -57,6 +59,7 @@ class Session::Impl {
   const std::optional<double> time_limit_;
 
   std::mutex solving_;  ///< held by the one thread that steps
+  Team team_;           ///< of that thread
   Run run_;             ///< of that thread
 
   mutable std::mutex telling_;  ///< held for moments; taken after the other
@@ -94,6 +97,7 @@ void Session::Impl::note(const std::optional<Iteration>& record) {
 
 bool Session::Impl::take_step(const std::stop_token& token) {
   if (token.stop_requested()) return false;
+  const WithTeam with(&team_);
   take_targets();
   const std::optional<Iteration> record = run_.step(token);
   note(record);

@@ -21,11 +21,6 @@ double smallest_positive_root(double a, double b, double c) {
   return root;
 }
 
-void add(const ElementEnergy& element, EnergyTerms& sum) {
-  sum.distortion += element.distortion;
-  sum.barrier += element.barrier;
-}
-
 void add_penalty(const Energy& energy, const Points& u, EnergyGradient& sum) {
   const auto& [settings, constraints] = energy;
   sum.energy.penalty = settings.alpha * penalty(constraints, u);
@@ -84,63 +79,79 @@ void Objective::follow_flips(const MeshPair& mesh) {
     triangles_.col(i) = t;
     rest_[static_cast<std::size_t>(i)] = rest_element(mesh, t);
   }
+  constexpr Eigen::Index kSharedFrom = 2048;
+  if (present_team() && triangles_.cols() >= kSharedFrom)
+    corners_.assign(triangles_, has_hard_handle_.size());
+  else
+    corners_.clear();
   guard_.follow_flips(triangles_, rest_);
 }
 
 EnergyTerms Objective::value(const Energy& energy, const Points& u) const {
   EnergyTerms terms;
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const ElementEnergy e = element_energy(
-        energy.settings, reference_element(energy.settings, rest_[static_cast<std::size_t>(t)]),
-        corners_of(u, triangles_.col(t)));
-    if (e.barrier == kInfinity) return {0, 0, kInfinity};
-    add(e, terms);
+  if (is_shared()) {
+    sum_shared(energy, u, terms);
+  } else {
+    for (Eigen::Index t = 0; t < triangles_.cols() && terms.barrier < kInfinity; ++t)
+      terms.add(element_energy(energy.settings, reference(energy.settings, t),
+                               corners_of(u, triangles_.col(t))));
   }
-  if (energy.settings.guards_boundary()) {
+  if (energy.settings.guards_boundary() && terms.barrier < kInfinity)
     terms.barrier += energy.settings.gap_weight * guard_.value(u);
-    if (terms.barrier == kInfinity) return {0, 0, kInfinity};
-  }
+  if (terms.barrier == kInfinity) return {0, 0, kInfinity};
   terms.penalty = energy.settings.alpha * penalty(energy.constraints, u);
   return terms;
 }
 
 EnergyGradient Objective::gradient(const Energy& energy, const Points& u) const {
   EnergyGradient sum{{}, Eigen::VectorXd::Zero(u.size())};
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const ElementGradient e = element_gradient(
-        energy.settings, reference_element(energy.settings, rest_[static_cast<std::size_t>(t)]),
-        corners_of(u, triangles_.col(t)));
-    add(e.energy, sum.energy);
-    for (int corner = 0; corner < 3; ++corner)
-      sum.gradient.segment<2>(2 * triangles_(corner, t)) += e.gradient.segment<2>(2 * corner);
-  }
+  if (is_shared())
+    sum_shared(energy, u, sum);
+  else
+    sum_elements(energy, u, sum);
   add_gaps(energy.settings, u, sum);
   add_penalty(energy, u, sum);
   return sum;
 }
 
+void Objective::sum_elements(const Energy& energy, const Points& u, EnergyGradient& sum) const {
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    const ElementGradient e = element_gradient(
+        energy.settings, reference(energy.settings, t), corners_of(u, triangles_.col(t)));
+    sum.energy.add(e.energy);
+    for (int corner = 0; corner < 3; ++corner)
+      sum.gradient.segment<2>(2 * triangles_(corner, t)) += e.gradient.segment<2>(2 * corner);
+  }
+}
+
 EnergyGradient Objective::assemble(const Energy& energy, const Points& u, SparseSymmetric& hessian,
                                    double clamping) const {
   EnergyGradient sum{{}, Eigen::VectorXd::Zero(u.size())};
-  std::fill(hessian.value.begin(), hessian.value.end(), 0.0);
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const ElementHessian e = element_hessian(
-        energy.settings, reference_element(energy.settings, rest_[static_cast<std::size_t>(t)]),
-        corners_of(u, triangles_.col(t)), clamping);
-    add(e.energy, sum.energy);
-    std::array<int, 3> nodes{};
-    for (int corner = 0; corner < 3; ++corner) {
-      const int v = triangles_(corner, t);
-      nodes[static_cast<std::size_t>(corner)] = node_of(v, energy.constraints);
-      sum.gradient.segment<2>(2 * v) += e.gradient.segment<2>(2 * corner);
-    }
-    add_block(hessian, nodes, e.hessian);
-  }
+  if (is_shared())
+    sum_shared({energy, u, clamping}, sum, hessian);
+  else
+    sum_elements({energy, u, clamping}, sum, hessian);
   add_gaps(energy.settings, u, sum);
   add_gaps(energy, u, hessian);
   add_penalty(energy, u, sum);
   add_penalty(energy, hessian);
   return sum;
+}
+
+void Objective::sum_elements(const SecondOrder& at, EnergyGradient& sum,
+                             SparseSymmetric& hessian) const {
+  std::fill(hessian.value.begin(), hessian.value.end(), 0.0);
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    const ElementHessian e = second_order(at, t);
+    sum.energy.add(e.energy);
+    std::array<int, 3> nodes{};
+    for (int corner = 0; corner < 3; ++corner) {
+      const int v = triangles_(corner, t);
+      nodes[static_cast<std::size_t>(corner)] = node_of(v, at.energy.constraints);
+      sum.gradient.segment<2>(2 * v) += e.gradient.segment<2>(2 * corner);
+    }
+    add_block(hessian, nodes, e.hessian);
+  }
 }
 
 Eigen::VectorXd Objective::pull_of_handles(const EnergySettings& settings, const Points& u,
@@ -151,8 +162,7 @@ Eigen::VectorXd Objective::pull_of_handles(const EnergySettings& settings, const
     const Corners moves = corners_of(way, corners);
     if (moves.isZero(0)) continue;
     const ElementHessian e =
-        element_hessian(settings, reference_element(settings, rest_[static_cast<std::size_t>(t)]),
-                        corners_of(u, corners), 1);
+        element_hessian(settings, reference(settings, t), corners_of(u, corners), 1);
     const Eigen::Matrix<double, 6, 1> change = e.hessian * moves.reshaped();
     for (int corner = 0; corner < 3; ++corner)
       if (!has_hard_handle(corners[corner]))
@@ -198,28 +208,29 @@ SparseSymmetric Objective::hessian_pattern() const {
 
 double Objective::largest_step(const EnergySettings& settings, const Points& u,
                                const Points& step) const {
-  double largest = settings.guards_boundary() ? guard_.largest_step(u, step) : kInfinity;
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+  const auto bound_of = [&](Eigen::Index t) {
     const Corners x = corners_of(u, triangles_.col(t));
     const Corners s = corners_of(step, triangles_.col(t));
     const Vec2 x1 = x.col(1) - x.col(0), x2 = x.col(2) - x.col(0);
     const Vec2 s1 = s.col(1) - s.col(0), s2 = s.col(2) - s.col(0);
     // 2(A′ − δA) along the line is a quadratic in t.
     const double floor = 2 * settings.delta * rest_[static_cast<std::size_t>(t)].area;
-    largest = std::min(largest, smallest_positive_root(cross(s1, s2), cross(x1, s2) + cross(s1, x2),
-                                                       cross(x1, x2) - floor));
-  }
-  return largest;
+    return smallest_positive_root(cross(s1, s2), cross(x1, s2) + cross(s1, x2),
+                                  cross(x1, x2) - floor);
+  };
+  const double of_gaps = settings.guards_boundary() ? guard_.largest_step(u, step) : kInfinity;
+  return std::min(of_gaps, least_of_triangles(triangles_.cols(), bound_of));
 }
 
 bool Objective::is_feasible(const EnergySettings& settings, const Points& u,
                             const Points& end) const {
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+  const auto is_open = [&](Eigen::Index t) {
     const Corners x = corners_of(end, triangles_.col(t));
     const double floor = 2 * settings.delta * rest_[static_cast<std::size_t>(t)].area;
-    if (!(cross(x.col(1) - x.col(0), x.col(2) - x.col(0)) > floor)) return false;
-  }
-  return !settings.guards_boundary() || guard_.stays_open(u, end);
+    return cross(x.col(1) - x.col(0), x.col(2) - x.col(0)) > floor;
+  };
+  return all_triangles(triangles_.cols(), is_open) &&
+         (!settings.guards_boundary() || guard_.stays_open(u, end));
 }
 
 }  // namespace foldless

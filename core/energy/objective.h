@@ -7,6 +7,7 @@
 #include "core/energy/boundary_guard.h"
 #include "core/energy/constraints.h"
 #include "core/energy/element.h"
+#include "core/energy/shared_elements.h"
 #include "core/linear/sparse_symmetric.h"
 #include "core/mesh/mesh_pair.h"
 
@@ -25,6 +26,10 @@ struct EnergyTerms {
   double penalty = 0;     ///< α E_c
   double barrier = 0;     ///< β E_b and that of the gaps, infinite outside the feasible set
   double total() const { return distortion + penalty + barrier; }
+  void add(const ElementEnergy& element) {
+    distortion += element.distortion;
+    barrier += element.barrier;
+  }
 };
 
 /// E with ∇E.
@@ -75,6 +80,26 @@ class Objective {
   int node_of(int v, const Constraints& constraints) const {
     return constraints.held && has_hard_handle(v) ? -1 : v;
   }
+  /// True where the triangles are enough to share, and there is a team.
+  bool is_shared() const { return present_team() && !corners_.is_empty(); }
+  RestElement reference(const EnergySettings& settings, Eigen::Index t) const {
+    return reference_element(settings, rest_[static_cast<std::size_t>(t)]);
+  }
+  struct SecondOrder {
+    const Energy& energy;
+    const Points& u;
+    double clamping;
+  };
+  ElementHessian second_order(const SecondOrder& at, Eigen::Index t) const {
+    return element_hessian(at.energy.settings, reference(at.energy.settings, t),
+                           corners_of(at.u, triangles_.col(t)), at.clamping);
+  }
+  void sum_elements(const Energy& energy, const Points& u, EnergyGradient& sum) const;
+  void sum_elements(const SecondOrder& at, EnergyGradient& sum, SparseSymmetric& hessian) const;
+  // The same bits, by all threads of the team (shared_objective.cpp).
+  void sum_shared(const Energy& energy, const Points& u, EnergyTerms& sum) const;
+  void sum_shared(const Energy& energy, const Points& u, EnergyGradient& sum) const;
+  void sum_shared(const SecondOrder& at, EnergyGradient& sum, SparseSymmetric& hessian) const;
   void add_gaps(const EnergySettings& settings, const Points& u, EnergyGradient& sum) const;
   void add_gaps(const Energy& energy, const Points& u, SparseSymmetric& hessian) const;
   void add_pull_of_gaps(const EnergySettings& settings, const Points& u, const Points& way,
@@ -84,6 +109,10 @@ class Objective {
   Triangles triangles_;                             ///< 3 × #F
   std::vector<RestElement> rest_;                   ///< one a triangle
   std::vector<Eigen::Index> triangles_of_handles_;  ///< those with a corner at a hard handle
+  CornersOfVertices corners_;  ///< empty where the triangles are too few to share
+  Scratch<ElementEnergy> energies_;
+  Scratch<ElementGradient> gradients_;
+  Scratch<ElementHessian> hessians_;
   BoundaryGuard guard_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/linear/ordering.h"
 #include "core/linear/single_precision_solve.h"
+#include "core/linear/sweep.h"
 #include "core/linear/triangular_solve.h"
 
 namespace foldless {
@@ -19,20 +20,20 @@ bool Cholesky::factorize(const SparseSymmetric& matrix, double shift) {
   work_.single_is_of_the_factor = false;
   if (!values_ || values_.use_count() > 1) values_ = std::make_shared<Buffer<double>>();
   values_->reserve(symbolic_->values);
-  has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values_->data(), work_.stacks) ==
+  has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values_->data(), work_.updates) ==
                 matrix.size();
   return has_factor_;
 }
 
 Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
   Eigen::VectorXd& x = work_.in_order;
-  x.resize(right_hand_side.size());
+  x.resize(symbolic_->solve_size());
   const auto nodes = static_cast<Eigen::Index>(symbolic_->order.size());
   for (Eigen::Index k = 0; k < nodes; ++k)
     x.segment<2>(2 * k) =
         right_hand_side.segment<2>(2 * symbolic_->order[static_cast<std::size_t>(k)]);
   triangular_solve(*symbolic_, values_->data(), x, work_.scratch);
-  Eigen::VectorXd solution(x.size());
+  Eigen::VectorXd solution(right_hand_side.size());
   for (Eigen::Index k = 0; k < nodes; ++k)
     solution.segment<2>(2 * symbolic_->order[static_cast<std::size_t>(k)]) = x.segment<2>(2 * k);
   return solution;
@@ -41,14 +42,13 @@ Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
 Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
   const double scale = right_hand_side.lpNorm<Eigen::Infinity>();
   if (!solves_in_single_precision() || !(scale > 0)) return solve(right_hand_side);
-  const auto size = static_cast<std::size_t>(right_hand_side.size());
   if (!work_.single_is_of_the_factor) {
     work_.single.reserve(symbolic_->values + kSingleOverrun);
     to_single_precision(*symbolic_, values_->data(), work_.single.data());
     work_.single_is_of_the_factor = true;
   }
-  work_.single_in_order.reserve(size);
-  work_.single_scratch.reserve(size + kSingleOverrun);
+  work_.single_in_order.reserve(static_cast<std::size_t>(symbolic_->solve_size()));
+  work_.single_scratch.reserve(sweep_work_size(*symbolic_, kSingleOverrun));
   float* x = work_.single_in_order.data();
   const double* b = right_hand_side.data();
   for (std::size_t k = 0; k < symbolic_->order.size(); ++k)

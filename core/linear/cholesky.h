@@ -40,7 +40,7 @@ class Cholesky {
       return *this;
     }
 
-    UpdateStacks stacks;
+    Buffer<double> updates;
     Eigen::VectorXd in_order, scratch;
     Buffer<float> single, single_in_order, single_scratch;
     bool single_is_of_the_factor = false;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/threads/team.h"
+
 namespace foldless {
 namespace {
 
@@ -33,31 +35,64 @@ struct Columns {
   int begin, end;
 };
 
-/// What the columns `done` take off the columns from j on, from row j down.
-ColumnStrip strip_of(const DensePanel& p, Columns done, int j, int width) {
+/// Rows of a panel.
+struct Rows {
+  int begin, end;
+};
+
+/// What the columns `done` take off the columns from j on, in some rows.
+ColumnStrip strip_of(const DensePanel& p, Columns done, Columns j, Rows rows) {
   const std::ptrdiff_t stride = p.rows;
-  const double* left = p.value + done.begin * stride + j;
-  return {p.value + j * stride + j, p.rows,     left, left, p.rows,
-          done.end - done.begin,    p.rows - j, width};
+  const double* left = p.value + done.begin * stride;
+  return {p.value + j.begin * stride + rows.begin,
+          p.rows,
+          left + rows.begin,
+          left + j.begin,
+          p.rows,
+          done.end - done.begin,
+          rows.end - rows.begin,
+          j.end - j.begin};
 }
 
-/// Factorizes some columns of a panel, from which all before them were subtracted.
-int factorize_columns(const DensePanel& p, Columns columns, const DenseKernels& kernels) {
-  for (int j = columns.begin; j < columns.end; j += kStrip) {
-    const int width = std::min(kStrip, columns.end - j);
-    const ColumnStrip strip = strip_of(p, {columns.begin, j}, j, width);
-    ColumnStrip corner = strip;
-    corner.rows = width;
-    if (strip.terms > 0) kernels.subtract(corner);
-    const int found = factorize_corner(strip.target, p.rows, width);
-    if (found < width) return j + found;
-    ColumnStrip below = strip;
-    below.target += width;
-    below.left += width;
-    below.rows -= width;
-    kernels.subtract_and_solve(below, strip.target);
-  }
-  return columns.end;
+/// Calls visit(columns) for strips of `columns`.
+template <class Visit>
+void for_strips(Columns columns, const Visit& visit) {
+  for (int j = columns.begin; j < columns.end; j += kStrip)
+    if (!visit(Columns{j, std::min(j + kStrip, columns.end)})) return;
+}
+
+/// Factorizes some columns of a panel, from which all before them were subtracted, in the rows up
+/// to `end`.
+int factorize_columns(const DensePanel& p, Columns columns, int end, const DenseKernels& kernels) {
+  int found = columns.end;
+  for_strips(columns, [&](Columns j) {
+    const Columns done{columns.begin, j.begin};
+    const ColumnStrip corner = strip_of(p, done, j, {j.begin, j.end});
+    if (corner.terms > 0) kernels.subtract(corner);
+    const int width = factorize_corner(corner.target, p.rows, corner.columns);
+    if (width < corner.columns) {
+      found = j.begin + width;
+      return false;
+    }
+    kernels.subtract_and_solve(strip_of(p, done, j, {j.end, end}), corner.target);
+    return true;
+  });
+  return found;
+}
+
+/// The rest of factorize_columns() in other rows below.
+void solve_rows(const DensePanel& p, Columns columns, Rows rows, const DenseKernels& kernels) {
+  for_strips(columns, [&](Columns j) {
+    const double* triangle = p.value + static_cast<std::ptrdiff_t>(j.begin) * (p.rows + 1);
+    kernels.subtract_and_solve(strip_of(p, {columns.begin, j.begin}, j, rows), triangle);
+    return true;
+  });
+}
+
+/// Of things of so many multiplications each, how many are worth handing out together.
+std::ptrdiff_t grain(std::ptrdiff_t multiplications) {
+  constexpr std::ptrdiff_t kWorth = 100000;  // some ten microseconds
+  return 1 + kWorth / std::max<std::ptrdiff_t>(multiplications, 1);
 }
 
 }  // namespace
@@ -65,26 +100,53 @@ int factorize_columns(const DensePanel& p, Columns columns, const DenseKernels& 
 int factorize_panel(const DensePanel& p, const DenseKernels& kernels) {
   for (int begin = 0; begin < p.columns; begin += kTogether) {
     const Columns columns{begin, std::min(begin + kTogether, p.columns)};
-    const int found = factorize_columns(p, columns, kernels);
+    const int width = columns.end - columns.begin, below = p.rows - columns.end;
+    const std::ptrdiff_t rows = 12 * grain(static_cast<std::ptrdiff_t>(6) * width * width);
+    const bool is_shared = present_team() && below > rows;
+    const int found = factorize_columns(p, columns, is_shared ? columns.end : p.rows, kernels);
     if (found < columns.end) return found;
-    for (int j = columns.end; j < p.columns; j += kStrip)
-      kernels.subtract(strip_of(p, columns, j, std::min(kStrip, p.columns - j)));
+    if (is_shared)
+      in_ranges(below, rows, [&](std::ptrdiff_t first, std::ptrdiff_t end) {
+        solve_rows(p, columns,
+                   {columns.end + static_cast<int>(first), columns.end + static_cast<int>(end)},
+                   kernels);
+      });
+    const std::ptrdiff_t strips = (p.columns - columns.end + kStrip - 1) / kStrip;
+    in_ranges(strips, grain(static_cast<std::ptrdiff_t>(kStrip) * width * below),
+              [&](std::ptrdiff_t first, std::ptrdiff_t end) {
+                const int from = columns.end + kStrip * static_cast<int>(first);
+                const int to = std::min(columns.end + kStrip * static_cast<int>(end), p.columns);
+                for_strips({from, to}, [&](Columns j) {
+                  kernels.subtract(strip_of(p, columns, j, {j.begin, p.rows}));
+                  return true;
+                });
+              });
   }
   return p.columns;
 }
 
 void subtract_square(const DensePanel& p, double* U, Square start, const DenseKernels& kernels) {
   const int below = p.rows - p.columns;
-  for (int begin = 0; begin < p.columns; begin += kTogether) {
-    const int terms = std::min(kTogether, p.columns - begin);
-    const auto take =
-        start == Square::from_zero && begin == 0 ? kernels.set_negative : kernels.subtract;
-    for (int j = 0; j < below; j += kStrip) {
-      const double* left = p.value + static_cast<std::ptrdiff_t>(begin) * p.rows + p.columns + j;
-      take({U + static_cast<std::ptrdiff_t>(j) * below + j, below, left, left, p.rows, terms,
-            below - j, std::min(kStrip, below - j)});
+  const auto subtract_from = [&](Columns columns) {
+    for (int begin = 0; begin < p.columns; begin += kTogether) {
+      const int terms = std::min(kTogether, p.columns - begin);
+      const auto take =
+          start == Square::from_zero && begin == 0 ? kernels.set_negative : kernels.subtract;
+      for_strips(columns, [&](Columns j) {
+        const double* left =
+            p.value + static_cast<std::ptrdiff_t>(begin) * p.rows + p.columns + j.begin;
+        take({U + static_cast<std::ptrdiff_t>(j.begin) * (below + 1), below, left, left, p.rows,
+              terms, below - j.begin, j.end - j.begin});
+        return true;
+      });
     }
-  }
+  };
+  const std::ptrdiff_t strips = (below + kStrip - 1) / kStrip;
+  in_ranges(strips, grain(static_cast<std::ptrdiff_t>(kStrip) * p.columns * below / 2),
+            [&](std::ptrdiff_t first, std::ptrdiff_t end) {
+              subtract_from({kStrip * static_cast<int>(first),
+                             std::min(kStrip * static_cast<int>(end), below)});
+            });
 }
 
 }  // namespace foldless

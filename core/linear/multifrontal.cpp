@@ -2,9 +2,11 @@
 #include "core/linear/multifrontal.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/linear/dense_cholesky.h"
 #include "core/linear/dense_kernels.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -23,34 +25,62 @@ struct Front {
   }
 };
 
+struct NodesOfFront {
+  int begin, end;
+};
+
+/// Columns of a square that are worth handing out together: some tens of thousands of values.
+int columns_together(int rows) { return 2 * std::max(8, 16384 / std::max(rows, 1)); }
+
 class Multifrontal {
  public:
   Multifrontal(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-               double* values, UpdateStacks& stacks)
-      : factor_(factor), matrix_(matrix), shift_(shift), values_(values), stacks_(stacks) {}
+               double* values, double* updates)
+      : factor_(factor), matrix_(matrix), shift_(shift), values_(values), updates_(updates) {}
 
   int run() {
-    const DenseKernels& kernels = dense_kernels();
-    for (std::size_t k = 0; k < factor_.supernodes.size(); ++k) {
-      const Supernode& s = factor_.supernodes[k];
-      const Front front = front_of(s);
-      std::fill_n(front.panel.value, static_cast<std::size_t>(s.rows()) * s.columns, 0.0);
-      add_matrix(k, front.panel);
-      if (s.child >= 0) add_updates(s, front);
-      const int found = factorize_panel(front.panel, kernels);
-      if (found < s.columns) return s.first + found;
-      if (s.below > 0)
-        subtract_square(front.panel, front.update,
-                        s.child >= 0 ? Square::accumulate : Square::from_zero, kernels);
+    const std::vector<Subtree>& subtrees = factor_.subtrees;
+    std::vector<int> found(subtrees.size());
+    in_parallel(static_cast<int>(subtrees.size()), [&](int i) {
+      const auto task = static_cast<std::size_t>(i);
+      found[task] = run_subtree(subtrees[task]);
+    });
+    int first = factor_.size();
+    for (const int column : found) first = std::min(first, column);
+    for (std::size_t i = 0; i < factor_.top.size() && first == factor_.size(); ++i)
+      first = eliminate(static_cast<std::size_t>(factor_.top[i]));
+    return first;
+  }
+
+ private:
+  /// The number of columns, or the first whose pivot is not positive.
+  int run_subtree(const Subtree& subtree) const {
+    for (int k = subtree.first; k <= subtree.root; ++k) {
+      const int found = eliminate(static_cast<std::size_t>(k));
+      if (found < factor_.size()) return found;
     }
     return factor_.size();
   }
 
- private:
+  /// The same, of one supernode.
+  int eliminate(std::size_t k) const {
+    const Supernode& s = factor_.supernodes[k];
+    const Front front = front_of(s);
+    const DenseKernels& kernels = dense_kernels();
+    std::fill_n(front.panel.value, static_cast<std::size_t>(s.rows()) * s.columns, 0.0);
+    add_matrix(k, front.panel);
+    if (s.child >= 0) add_updates(s, front);
+    const int found = factorize_panel(front.panel, kernels);
+    if (found < s.columns) return s.first + found;
+    if (s.below > 0)
+      subtract_square(front.panel, front.update,
+                      s.child >= 0 ? Square::accumulate : Square::from_zero, kernels);
+    return factor_.size();
+  }
+
   Front front_of(const Supernode& s) const {
     return {{values_ + s.value_start, s.rows(), s.columns},
-            stacks_.stack[s.update_stack].data() + s.update_start,
-            s.below};
+            updates_ + s.update_start, s.below};
   }
 
   void add_matrix(std::size_t k, const DensePanel& panel) const {
@@ -81,23 +111,29 @@ class Multifrontal {
   }
 
   void add_updates(const Supernode& s, const Front& front) const {
-    for (int j = 0; j < s.below; ++j) {
-      const int from = j & ~3;  // the kernels take whole blocks on the diagonal
-      std::fill_n(front.update + static_cast<std::ptrdiff_t>(j) * s.below + from, s.below - from,
-                  0.0);
-    }
+    in_ranges(s.below, columns_together(s.below), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t j = begin; j < end; ++j) {
+        const std::ptrdiff_t from = j & ~3;  // the kernels take whole blocks on the diagonal
+        std::fill_n(front.update + j * s.below + from, s.below - from, 0.0);
+      }
+    });
     for (int k = s.child; k >= 0;) {
       const Supernode& child = factor_.supernodes[static_cast<std::size_t>(k)];
-      add_update(child, front);
+      in_ranges(child.below / 2, columns_together(child.below) / 2,
+                [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+                  add_update(child, front, {static_cast<int>(begin), static_cast<int>(end)});
+                });
       k = child.sibling;
     }
   }
 
-  void add_update(const Supernode& child, const Front& front) const {
+  /// The columns of some nodes of the update matrix of a child.
+  void add_update(const Supernode& child, const Front& front, NodesOfFront nodes) const {
     const std::span<const int> places = factor_.places_of(child);
     const int* place = places.data();
-    const double* a = front_of(child).update;
-    for (int j = 0; j < child.below; j += 2) {
+    const double* a =
+        front_of(child).update + static_cast<std::ptrdiff_t>(2 * nodes.begin) * child.below;
+    for (int j = 2 * nodes.begin; j < 2 * nodes.end; j += 2) {
       const double* b = a + child.below;
       double* to_a = front.column(2 * place[j / 2]);
       double* to_b = front.column(2 * place[j / 2] + 1);
@@ -116,16 +152,16 @@ class Multifrontal {
   const SparseSymmetric& matrix_;
   double shift_;
   double* values_;
-  UpdateStacks& stacks_;
+  double* updates_;
 };
 
 }  // namespace
 
 // NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-              double* values, UpdateStacks& stacks) {
-  for (int i = 0; i < 2; ++i) stacks.stack[i].reserve(factor.stack_sizes[i]);
-  return Multifrontal(factor, matrix, shift, values, stacks).run();
+              double* values, Buffer<double>& updates) {
+  updates.reserve(factor.updates);
+  return Multifrontal(factor, matrix, shift, values, updates.data()).run();
 }
 
 }  // namespace foldless

@@ -28,17 +28,13 @@ class Buffer {
   std::size_t size_ = 0;
 };
 
-/// Room for the update matrices of a factorization; may serve others later.
-struct UpdateStacks {
-  Buffer<double> stack[2];
-};
-
 /// The Cholesky factor of matrix + shift·I by the multifrontal method [Liu92] into `values`, which
 /// have room for factor.values, with the inverse of its diagonal on the diagonal. Returns the
-/// number of columns, or the first, in the order of elimination, whose pivot is not positive: what
-/// is in `values` is no factor then. One thread; the same bits whenever the same processor does it.
+/// number of columns, or one, in the order of elimination, whose pivot is not positive: what is in
+/// `values` is no factor then. `updates` is room that may serve others later. The team of this
+/// thread does it, and however many they are, with the same bits on the same kind of processor.
 /// Precondition: the pattern is that of the symbolic factor. Throws std::bad_alloc.
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-              double* values, UpdateStacks& stacks);
+              double* values, Buffer<double>& updates);
 
 }  // namespace foldless

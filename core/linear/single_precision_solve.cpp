@@ -8,17 +8,25 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/linear/sweep.h"
+
 namespace foldless {
 
 void to_single_precision(const SymbolicFactor& factor, const double* values, float* single) {
-  for (const Supernode& s : factor.supernodes) {
+  const auto convert = [&](const Supernode& s) {
     const double* from = values + s.value_start;
     float* to = single + s.value_start;
     for (int j = 0; j < s.columns; ++j, from += s.rows(), to += s.rows()) {
       std::fill_n(to, j, 0.0F);
       for (int i = j; i < s.rows(); ++i) to[i] = static_cast<float>(from[i]);
     }
-  }
+  };
+  constexpr std::ptrdiff_t kTogether = 500;
+  in_ranges(static_cast<std::ptrdiff_t>(factor.supernodes.size()), kTogether,
+            [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+              for (std::ptrdiff_t k = begin; k < end; ++k)
+                convert(factor.supernodes[static_cast<std::size_t>(k)]);
+            });
   std::fill_n(single + factor.values, kSingleOverrun, 0.0F);
 }
 
@@ -167,16 +175,16 @@ bool solves_in_single_precision() {
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 
-__attribute__((target("avx2,fma"))) void triangular_solve_single(const SymbolicFactor& factor,
-                                                                 const float* single, float* x,
-                                                                 float* work) {
-  const int* rows = factor.rows.data();
-  for (const Supernode& s : factor.supernodes)
-    forward_single(s, rows + s.row_start, single + s.value_start, x, work);
-  for (std::size_t k = factor.supernodes.size(); k-- > 0;) {
-    const Supernode& s = factor.supernodes[k];
-    backward_single(s, rows + s.row_start, single + s.value_start, x, work);
-  }
+void triangular_solve_single(const SymbolicFactor& factor, const float* single, float* x,
+                             float* work) {
+  const int* rows = factor.solve_rows.data();
+  const auto forward = [&](const Supernode& s, float* at, float* scratch) {
+    forward_single(s, rows + s.row_start, single + s.value_start, at, scratch);
+  };
+  const auto backward = [&](const Supernode& s, float* at, float* scratch) {
+    backward_single(s, rows + s.row_start, single + s.value_start, at, scratch);
+  };
+  sweep(factor, SweptVector<float>{x, work}, kSingleOverrun, forward, backward);
 }
 
 #else

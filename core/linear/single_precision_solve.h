@@ -12,10 +12,10 @@ bool solves_in_single_precision();
 /// diagonal. `single` has room for factor.values + kSingleOverrun.
 void to_single_precision(const SymbolicFactor& factor, const double* values, float* single);
 /// So many values more are read than there are, and not used.
-constexpr std::size_t kSingleOverrun = 8;
+constexpr int kSingleOverrun = 8;
 
-/// Solves L Lᵀ x = b in place, x and b in the order of elimination. `work` has room for as many
-/// values and kSingleOverrun more. Precondition: solves_in_single_precision().
+/// Solves L Lᵀ x = b in place as triangular_solve() does: x has room for factor.solve_size() values,
+/// `work` for sweep_work_size(factor, kSingleOverrun). Precondition: solves_in_single_precision().
 void triangular_solve_single(const SymbolicFactor& factor, const float* single, float* x,
                              float* work);
 

@@ -2,6 +2,9 @@
 #include "core/linear/sparse_symmetric.h"
 
 #include <algorithm>
+#include <numeric>
+
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -44,6 +47,50 @@ void make_columns(SparseSymmetric& m) {
   m.value.assign(m.row.size(), 0.0);
 }
 
+void make_earlier(SparseSymmetric& m) {
+  m.earlier_start.assign(static_cast<std::size_t>(m.nodes) + 1, 0);
+  for (const int i : m.graph) ++m.earlier_start[static_cast<std::size_t>(i) + 1];
+  std::partial_sum(m.earlier_start.begin(), m.earlier_start.end(), m.earlier_start.begin());
+  m.earlier.resize(m.graph.size());
+  std::vector<int> next(m.earlier_start.begin(), m.earlier_start.end() - 1);
+  for (int j = 0; j < m.nodes; ++j) {
+    const auto node = static_cast<std::size_t>(j);
+    int first = m.column_start[2 * node] + 2, second = m.column_start[2 * node + 1] + 1;
+    for (int k = m.graph_start[node]; k < m.graph_start[node + 1]; ++k, first += 2, second += 2) {
+      const auto i = static_cast<std::size_t>(m.graph[static_cast<std::size_t>(k)]);
+      m.earlier[static_cast<std::size_t>(next[i]++)] = {j, {first, second}};
+    }
+  }
+}
+
+/// The rows of a node, as multiply() adds them up: those before the node's column, then that.
+// NOLINTNEXTLINE(readability-function-size): y = A x of a node
+void multiply_rows(const SparseSymmetric& A, std::ptrdiff_t node, const double* x, double* y) {
+  const auto j = static_cast<std::size_t>(node);
+  double y0 = 0, y1 = 0;
+  for (int k = A.earlier_start[j]; k < A.earlier_start[j + 1]; ++k) {
+    const auto& [other, place] = A.earlier[static_cast<std::size_t>(k)];
+    const double* first = &A.value[static_cast<std::size_t>(place.first_column)];
+    const double* second = &A.value[static_cast<std::size_t>(place.second_column)];
+    const double* of = x + 2 * static_cast<std::ptrdiff_t>(other);
+    y0 += first[0] * of[0] + second[0] * of[1];
+    y1 += first[1] * of[0] + second[1] * of[1];
+  }
+  const double* first = &A.value[static_cast<std::size_t>(A.column_start[2 * j])];
+  const double* second = &A.value[static_cast<std::size_t>(A.column_start[2 * j + 1])];
+  const double* own = x + 2 * node;
+  double z0 = first[0] * own[0] + first[1] * own[1], z1 = first[1] * own[0] + second[0] * own[1];
+  first += 2;
+  second += 1;
+  for (int k = A.graph_start[j]; k < A.graph_start[j + 1]; ++k, first += 2, second += 2) {
+    const double* of = x + 2 * static_cast<std::ptrdiff_t>(A.graph[static_cast<std::size_t>(k)]);
+    z0 += first[0] * of[0] + first[1] * of[1];
+    z1 += second[0] * of[0] + second[1] * of[1];
+  }
+  y[2 * node] = y0 + z0;
+  y[2 * node + 1] = y1 + z1;
+}
+
 }  // namespace
 
 SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int>>& edges) {
@@ -51,6 +98,8 @@ SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int
   m.nodes = nodes;
   make_graph(m, edges);
   make_columns(m);
+  constexpr int kSharedFrom = 1024;
+  if (present_team() && nodes >= kSharedFrom) make_earlier(m);
   return m;
 }
 
@@ -69,6 +118,14 @@ BlockPlace find_block(const SparseSymmetric& matrix, int i, int j) {
 
 // The two columns of a node have the same rows below their diagonal block.
 void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  if (present_team() && !A.earlier_start.empty()) {
+    y.resize(A.size());
+    constexpr std::ptrdiff_t kTogether = 1024;
+    in_ranges(A.nodes, kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      for (std::ptrdiff_t j = begin; j < end; ++j) multiply_rows(A, j, x.data(), y.data());
+    });
+    return;
+  }
   y.setZero(A.size());
   for (int j = 0; j < A.nodes; ++j) {
     const double* first =
@@ -92,20 +149,23 @@ void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorX
   }
 }
 
+void add_block(SparseSymmetric& matrix, int i, int j, const Eigen::Matrix2d& block) {
+  const BlockPlace place = find_block(matrix, i, j);
+  double* first = &matrix.value[static_cast<std::size_t>(place.first_column)];
+  double* second = &matrix.value[static_cast<std::size_t>(place.second_column)];
+  first[0] += block(0, 0);
+  first[1] += block(1, 0);
+  if (i != j) *second++ += block(0, 1);
+  *second += block(1, 1);
+}
+
 void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,
                const Eigen::Matrix<double, 6, 6>& block) {
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {
       const int i = nodes[static_cast<std::size_t>(a)];
       const int j = nodes[static_cast<std::size_t>(b)];
-      if (i < j || j < 0) continue;
-      const BlockPlace place = find_block(matrix, i, j);
-      double* first = &matrix.value[static_cast<std::size_t>(place.first_column)];
-      double* second = &matrix.value[static_cast<std::size_t>(place.second_column)];
-      first[0] += block(2 * a, 2 * b);
-      first[1] += block(2 * a + 1, 2 * b);
-      if (i != j) *second++ += block(2 * a, 2 * b + 1);
-      *second += block(2 * a + 1, 2 * b + 1);
+      if (i >= j && j >= 0) add_block(matrix, i, j, block.block<2, 2>(2 * a, 2 * b));
     }
 }
 

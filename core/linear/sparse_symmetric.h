@@ -8,6 +8,14 @@
 
 namespace foldless {
 
+/// Where the block of nodes i > j is in `value`: rows of column 2j at [0], of column 2j+1 at [1];
+/// each is the first of two neighbouring entries. For i = j: entries (2j,2j) and (2j+1,2j+1),
+/// with (2j+1,2j) right after the first.
+struct BlockPlace {
+  int first_column;
+  int second_column;
+};
+
 /// The lower triangle of a symmetric matrix by columns, rows sorted, made of 2×2 blocks over an
 /// undirected graph whose nodes are vertices: unknowns 2i and 2i+1 belong to node i.
 struct SparseSymmetric {
@@ -19,6 +27,14 @@ struct SparseSymmetric {
   std::vector<int> row;
   std::vector<double> value;
 
+  /// A block of a node in the column of an earlier neighbour.
+  struct Earlier {
+    int node;
+    BlockPlace place;
+  };
+  std::vector<int> earlier_start;  ///< #nodes + 1; empty where a product is for one thread
+  std::vector<Earlier> earlier;    ///< sorted by nodes, node after node
+
   int size() const { return 2 * nodes; }
 };
 
@@ -26,18 +42,14 @@ struct SparseSymmetric {
 /// all values are zero.
 SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int>>& edges);
 
-/// Where the block of nodes i > j is in `value`: rows of column 2j at [0], of column 2j+1 at [1];
-/// each is the first of two neighbouring entries. For i = j: entries (2j,2j) and (2j+1,2j+1),
-/// with (2j+1,2j) right after the first. Precondition: the pattern has the block.
-struct BlockPlace {
-  int first_column;
-  int second_column;
-};
+/// Precondition: the pattern has the block.
 BlockPlace find_block(const SparseSymmetric& matrix, int i, int j);
 
-/// y = A x.
+/// y = A x, with the same bits however many threads share it.
 void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorXd& y);
 
+/// Adds the block of nodes i ≥ j, for i = j its lower triangle. Precondition: the pattern has it.
+void add_block(SparseSymmetric& matrix, int i, int j, const Eigen::Matrix2d& block);
 /// Adds the symmetric block of a triangle, whose corners are the nodes; a corner of node −1 has no
 /// rows in the matrix. Precondition: the pattern has the block.
 void add_block(SparseSymmetric& matrix, const std::array<int, 3>& nodes,

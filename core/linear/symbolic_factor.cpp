@@ -8,6 +8,7 @@
 #include "core/linear/elimination_tree.h"
 #include "core/linear/later_blocks.h"
 #include "core/linear/supernodes.h"
+#include "core/linear/work_plan.h"
 
 namespace foldless {
 namespace {
@@ -32,6 +33,7 @@ class FactorBuilder {
         throw Error("the mesh has too many triangles for the solver; use a coarser one");
       rows += at(range.below);
       factor_.values += size;
+      factor_.largest_front = std::max(factor_.largest_front, s.rows());
       of_node_.resize(of_node_.size() + at(range.nodes),
                       static_cast<int>(factor_.supernodes.size()));
       factor_.supernodes.push_back(s);
@@ -83,26 +85,6 @@ class FactorBuilder {
     }
   }
 
-  /// A parent's update matrix is made while those of its children are there: they are in the other
-  /// stack, where they are the last.
-  void stack_updates() {
-    std::vector<int> depth(factor_.supernodes.size(), 0);
-    for (std::size_t k = depth.size(); k-- > 0;) {
-      const int parent = factor_.supernodes[k].parent;
-      if (parent >= 0) depth[k] = 1 - depth[at(parent)];
-    }
-    std::size_t top[2] = {};
-    for (std::size_t k = 0; k < depth.size(); ++k) {
-      Supernode& s = factor_.supernodes[k];
-      const int own = depth[k];
-      s.update_stack = own;
-      s.update_start = top[own];
-      top[own] += at(s.below) * at(s.below);
-      factor_.stack_sizes[own] = std::max(factor_.stack_sizes[own], top[own]);
-      if (s.child >= 0) top[1 - own] = supernode(s.child).update_start;
-    }
-  }
-
  private:
   void place_blocks(Supernode& s, const std::vector<int>& place) {
     s.block_start = factor_.blocks.size();
@@ -125,7 +107,8 @@ class FactorBuilder {
 
 }  // namespace
 
-SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, const std::vector<int>& order) {
+SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, const std::vector<int>& order,
+                               double parted_from) {
   EliminationTree tree = elimination_tree(matrix, order);
   SymbolicFactor factor;
   FactorBuilder builder(matrix, tree, factor);
@@ -133,8 +116,8 @@ SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, const std::vector<
   builder.link();
   builder.find_rows();
   builder.find_places();
-  builder.stack_updates();
   factor.order = std::move(tree.order);
+  plan_work(factor, parted_from);
   return factor;
 }
 

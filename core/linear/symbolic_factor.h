@@ -21,8 +21,7 @@ struct Supernode {
   int sibling = -1;  ///< the next child of the parent; −1: none
   std::size_t row_start = 0;     ///< where `rows` and `places` of the symbolic factor tell of it
   std::size_t value_start = 0;   ///< where its panel begins
-  std::size_t update_start = 0;  ///< where its update matrix begins, below × below ...
-  int update_stack = 0;          ///< ... in which of two stacks
+  std::size_t update_start = 0;  ///< where its update matrix begins, below × below
   std::size_t block_start = 0;   ///< where `blocks` begin that belong to it
 
   int rows() const { return columns + below; }
@@ -34,6 +33,14 @@ struct BlockOfPanel {
   int target;         ///< in the panel; ~target where it is transposed
 };
 
+/// Supernodes below one of them, with it, which are the last before it. Two subtrees have nothing
+/// to do with each other, so that each is a task of its own.
+struct Subtree {
+  int first = 0;        ///< supernode
+  int root = 0;         ///< the last of its supernodes
+  int outer_start = 0;  ///< where its outer places begin, counted in nodes from the matrix's end on
+};
+
 /// The pattern of the Cholesky factor of a matrix made of full 2 × 2 blocks, and how it comes about
 /// front by front [Liu92]: a supernode's front is its panel, and the update matrix that it hands up
 /// to its parent. The analysis is that of the graph of the nodes, a quarter of the matrix.
@@ -43,10 +50,19 @@ struct SymbolicFactor {
   std::vector<int> rows;              ///< places of the nodes below the columns, sorted
   std::vector<int> places;  ///< of the same nodes in the front of the parent, counted in nodes
   std::vector<BlockOfPanel> blocks;  ///< but for those on the diagonal
-  std::size_t values = 0;            ///< of all panels
-  std::size_t stack_sizes[2] = {};   ///< of the update matrices that wait for their parents at once
+  std::vector<Subtree> subtrees;     ///< of about equal work; none where there is little in all
+  std::vector<int> top;              ///< supernodes in no subtree, in their order
+  /// The same as `rows`, but what a subtree has in rows above it is at places of its own beyond the
+  /// end of the matrix, its *outer* places, in the order of its root's rows.
+  std::vector<int> solve_rows;
+  std::size_t values = 0;   ///< of all panels
+  std::size_t updates = 0;  ///< room for the update matrices that wait for their parents
+  int outer = 0;            ///< outer places of all subtrees
+  int largest_front = 0;    ///< rows of the largest panel
 
   int size() const { return 2 * static_cast<int>(order.size()); }
+  /// Of a vector with its outer places.
+  int solve_size() const { return size() + 2 * outer; }
   std::span<const int> rows_of(const Supernode& s) const { return of(rows, s); }
   std::span<const int> places_of(const Supernode& s) const { return of(places, s); }
 
@@ -56,8 +72,13 @@ struct SymbolicFactor {
   }
 };
 
-/// `order` is a fill-reducing one of the nodes; an equivalent one is used. Throws Error where a
-/// panel has more than 2³¹ values.
-SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, const std::vector<int>& order);
+/// Of fewer multiplications, some tenths of a millisecond, the parts would be too small to hand out.
+constexpr double kPartedFrom = 4e6;
+
+/// `order` is a fill-reducing one of the nodes; an equivalent one is used. A factorization of
+/// `parted_from` multiplications or more is parted into subtrees. Throws Error where a panel has more
+/// than 2³¹ values.
+SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, const std::vector<int>& order,
+                               double parted_from = kPartedFrom);
 
 }  // namespace foldless

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/triangular_solve.h"
 
+#include "core/linear/sweep.h"
+
 namespace foldless {
 namespace {
 
@@ -19,7 +21,7 @@ struct Panel {
       : first(s.first),
         columns(s.columns),
         rows_count(s.rows()),
-        below(factor.rows.data() + s.row_start),
+        below(factor.solve_rows.data() + s.row_start),
         value(values + s.value_start) {}
 };
 
@@ -64,11 +66,14 @@ void backward(const Panel& s, double* x, double* work) {
 
 void triangular_solve(const SymbolicFactor& factor, const double* values, Eigen::VectorXd& x,
                       Eigen::VectorXd& work) {
-  work.resize(factor.size());
-  const std::vector<Supernode>& all = factor.supernodes;
-  for (const Supernode& s : all) forward({factor, values, s}, x.data(), work.data());
-  for (std::size_t k = all.size(); k-- > 0;)
-    backward({factor, values, all[k]}, x.data(), work.data());
+  work.resize(static_cast<Eigen::Index>(sweep_work_size(factor, 0)));
+  const auto step_forward = [&](const Supernode& s, double* at, double* scratch) {
+    forward({factor, values, s}, at, scratch);
+  };
+  const auto step_backward = [&](const Supernode& s, double* at, double* scratch) {
+    backward({factor, values, s}, at, scratch);
+  };
+  sweep(factor, SweptVector<double>{x.data(), work.data()}, 0, step_forward, step_backward);
 }
 
 }  // namespace foldless

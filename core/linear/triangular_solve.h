@@ -8,7 +8,9 @@
 namespace foldless {
 
 /// Solves L Lᵀ x = b in place, x and b in the order of elimination, with the values that
-/// factorize() in multifrontal.h makes. `work` is scratch space.
+/// factorize() in multifrontal.h makes. x has factor.solve_size() values, the first of which are of
+/// interest. `work` is scratch space. The team of this thread does it, with the same bits however
+/// many they are.
 void triangular_solve(const SymbolicFactor& factor, const double* values, Eigen::VectorXd& x,
                       Eigen::VectorXd& work);
 

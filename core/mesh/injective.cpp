@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/mesh/orientation.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -17,6 +18,17 @@ constexpr int kPrevious[] = {2, 0, 1};
 void count_offender(int index, int& count, std::optional<int>& first) {
   ++count;
   if (!first) first = index;
+}
+
+std::vector<signed char> orientations(const Triangles& triangles, const Points& points) {
+  std::vector<signed char> signs(static_cast<std::size_t>(triangles.cols()));
+  constexpr std::ptrdiff_t kTogether = 2048;
+  in_ranges(triangles.cols(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    for (std::ptrdiff_t f = begin; f < end; ++f)
+      signs[static_cast<std::size_t>(f)] =
+          static_cast<signed char>(orientation(points, triangles.col(f)));
+  });
+  return signs;
 }
 
 /// How often the link of each vertex crosses the horizontal ray to its right upwards, from the
@@ -57,11 +69,12 @@ InjectivityChecker::InjectivityChecker(Triangles triangles, int vertex_count)
 InjectivityReport InjectivityChecker::check(const Points& points) const {
   assert(static_cast<std::size_t>(points.cols()) == interior_.size());
   InjectivityReport report;
+  const std::vector<signed char> signs = orientations(triangles_, points);
   std::vector<int> crossings(interior_.size(), 0);
   std::vector<bool> positive(interior_.size(), true), overlaps(interior_.size(), false);
   for (Eigen::Index f = 0; f < triangles_.cols(); ++f) {
     const Eigen::Vector3i t = triangles_.col(f);
-    const int sign = orientation(points, t);
+    const int sign = signs[static_cast<std::size_t>(f)];
     if (sign > 0) {
       count_crossings(t, points, crossings);
       mark_overlaps(t, points, boundary_, overlaps);

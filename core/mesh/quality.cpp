@@ -5,20 +5,46 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
+
+#include "core/threads/team.h"
 
 namespace foldless {
+
+namespace {
+
+struct TriangleQuality {
+  double area_ratio = 0;
+  double conformal_distortion = 0;  ///< where the area ratio is positive
+};
+
+std::vector<TriangleQuality> qualities_of(const Triangles& triangles, const Points& rest,
+                                          const Points& deformed) {
+  std::vector<TriangleQuality> all(static_cast<std::size_t>(triangles.cols()));
+  constexpr std::ptrdiff_t kTogether = 2048;
+  in_ranges(triangles.cols(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    for (std::ptrdiff_t i = begin; i < end; ++i) {
+      const Eigen::Vector3i t = triangles.col(i);
+      TriangleQuality& quality = all[static_cast<std::size_t>(i)];
+      // σ₂ from the areas: σ₁ − |σ₂| loses it to cancellation in needles.
+      quality.area_ratio = signed_area(deformed, t) / signed_area(rest, t);
+      if (!(quality.area_ratio > 0)) continue;
+      const double sigma1 = signed_singular_values(deformation_gradient(rest, deformed, t))[0];
+      quality.conformal_distortion = sigma1 * sigma1 / quality.area_ratio;
+    }
+  });
+  return all;
+}
+
+}  // namespace
 
 Quality quality_of(const Triangles& triangles, const Points& rest, const Points& deformed) {
   Quality quality{std::numeric_limits<double>::infinity(), 1, 0};
   int unfolded = 0;
-  for (const auto& t : triangles.colwise()) {
-    // σ₂ from the areas: σ₁ − |σ₂| loses it to cancellation in needles.
-    const double area_ratio = signed_area(deformed, t) / signed_area(rest, t);
+  for (const auto& [area_ratio, conformal] : qualities_of(triangles, rest, deformed)) {
     quality.min_area_ratio = std::min(quality.min_area_ratio, area_ratio);
     if (!(area_ratio > 0)) continue;
     ++unfolded;
-    const double sigma1 = signed_singular_values(deformation_gradient(rest, deformed, t))[0];
-    const double conformal = sigma1 * sigma1 / area_ratio;
     quality.max_conformal_distortion = std::max(quality.max_conformal_distortion, conformal);
     quality.mean_conformal_distortion += conformal;
   }

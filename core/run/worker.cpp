@@ -4,12 +4,14 @@
 #include <utility>
 
 #include "core/run/thread_priority.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 
 Worker::Worker(std::function<void()> wake, WorkerOptions options)
     : wake_(std::move(wake)),
       timeline_(options.timeline_bytes),
+      threads_(options.threads),
       run_(std::move(options.start)),
       thread_([this](const std::stop_token& stopping) { work(stopping); }) {}
 
@@ -87,6 +89,8 @@ void Worker::clear_timeline() {
 
 void Worker::work(const std::stop_token& stopping) {
   give_way_to_the_window();
+  Team team(threads_);
+  const WithTeam with(&team);
   while (true) {
     Inbox messages;
     std::stop_token token;

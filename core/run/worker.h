@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -19,12 +20,15 @@
 #include "core/run/timeline.h"
 #include "core/run/worker_status.h"
 #include "core/snapshot.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 
 struct WorkerOptions {
   std::size_t timeline_bytes = std::size_t{180} << 20;  ///< memory cap of the timeline's snapshots
   MethodStarter start = start_method;
+  /// That solve together: all cores but the window's.
+  int threads = std::max(1, cores() - 1);
 };
 
 /// A solver thread with an inbox. All functions return at once and may be called from one other
@@ -93,6 +97,7 @@ class Worker {
   WorkerStatus status_;
   Timeline timeline_;
 
+  const int threads_;
   PacedRun run_;         ///< of the solver thread alone
   std::jthread thread_;  ///< last, so that it is joined before anything else goes
 };

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "core/threads/team.h"
+
 namespace foldless {
 namespace {
 
@@ -83,6 +85,25 @@ TEST_P(DenseCholeskyTest, TheFirstColumnWithoutAPositivePivotIsNamed) {
       matrix(104, 104) = -1;
       EXPECT_EQ(factorize_panel({matrix.data(), 110, 106}, kernels()), column);
     }
+}
+
+TEST_P(DenseCholeskyTest, AnyNumberOfThreadsGivesTheSameBits) {
+  constexpr int kRows = 700, kColumns = 330, kBelow = kRows - kColumns;
+  const MatrixXd matrix = random_positive_definite(kRows, 14);
+  MatrixXd panels[2], squares[2];
+  Team team(3);
+  for (int i = 0; i < 2; ++i) {
+    const WithTeam with(i == 0 ? nullptr : &team);
+    panels[i] = panel_of(matrix, kColumns);
+    squares[i] = MatrixXd::Zero(kBelow, kBelow);
+    const DensePanel panel{panels[i].data(), kRows, kColumns};
+    ASSERT_EQ(factorize_panel(panel, kernels()), kColumns);
+    subtract_square(panel, squares[i].data(), Square::accumulate, kernels());
+  }
+  for (int j = 0; j < kColumns; ++j)
+    EXPECT_EQ(panels[0].col(j).tail(kRows - j), panels[1].col(j).tail(kRows - j)) << j;
+  for (int j = 0; j < kBelow; ++j)
+    EXPECT_EQ(squares[0].col(j).tail(kBelow - j), squares[1].col(j).tail(kBelow - j)) << j;
 }
 
 TEST(DenseKernels, AreTheBestThatThereAre) {

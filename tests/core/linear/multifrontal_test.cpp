@@ -7,9 +7,14 @@
 #include <algorithm>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include "core/linear/cholesky.h"
 #include "core/linear/ordering.h"
+#include "core/linear/single_precision_solve.h"
+#include "core/linear/sweep.h"
+#include "core/linear/triangular_solve.h"
+#include "core/threads/team.h"
 #include "tests/support/dense_matrix.h"
 #include "tests/support/random_symmetric.h"
 
@@ -68,8 +73,8 @@ TEST(Multifrontal, NoticesAnIndefiniteMatrixAtTheColumnWhereItShows) {
     const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m));
     Buffer<double> values;
     values.reserve(factor.values);
-    UpdateStacks stacks;
-    const int found = factorize(factor, m, 0, values.data(), stacks);
+    Buffer<double> updates;
+    const int found = factorize(factor, m, 0, values.data(), updates);
     EXPECT_EQ(found, first_failure(m, factor.order));
     inside += found > 0 && found + 1 < m.size();
   }
@@ -92,6 +97,51 @@ TEST(Multifrontal, PanelsHoldAllRowsOfTheFactorAndFew) {
     }
     EXPECT_EQ(column, m.size());
   }
+}
+
+/// What a solve with these values makes of a vector of ones, in double and, where the processor has
+/// it, in single precision.
+std::vector<double> solutions(const SymbolicFactor& factor, const double* values) {
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(factor.solve_size()), work;
+  triangular_solve(factor, values, x, work);
+  std::vector<double> all(x.data(), x.data() + factor.size());
+  if (!solves_in_single_precision()) return all;
+  std::vector<float> single(factor.values + kSingleOverrun);
+  to_single_precision(factor, values, single.data());
+  std::vector<float> y(static_cast<std::size_t>(factor.solve_size()), 1);
+  std::vector<float> single_work(sweep_work_size(factor, kSingleOverrun));
+  triangular_solve_single(factor, single.data(), y.data(), single_work.data());
+  all.insert(all.end(), y.begin(), y.begin() + factor.size());
+  return all;
+}
+
+TEST(Multifrontal, SubtreesGiveTheSameBitsToAnyNumberOfThreads) {
+  Team team(3);
+  std::size_t parted = 0;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const SparseSymmetric m = dominated(random_symmetric(seed), seed);
+    const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m), 0);
+    parted += factor.subtrees.size() > 1;
+    std::vector<std::vector<double>> found;
+    for (Team* asked : {static_cast<Team*>(nullptr), &team}) {
+      const WithTeam with(asked);
+      std::vector<double> values(factor.values);
+      Buffer<double> updates;
+      ASSERT_EQ(factorize(factor, m, 0, values.data(), updates), m.size());
+      found.push_back(solutions(factor, values.data()));
+    }
+    EXPECT_EQ(found[0], found[1]);
+    const auto x = Eigen::Map<const Eigen::VectorXd>(found[0].data(), m.size());
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(m.size());
+    Eigen::VectorXd in_matrix_order(m.size()), image;
+    for (int i = 0; i < m.nodes; ++i)
+      in_matrix_order.segment<2>(2 * factor.order[static_cast<std::size_t>(i)]) =
+          x.segment<2>(2 * i);
+    multiply(m, in_matrix_order, image);
+    EXPECT_LT((image - ones).norm(), 1e-10 * ones.norm());
+  }
+  EXPECT_GT(parted, kSeeds / 2);
 }
 
 TEST(Multifrontal, TwoAtOnceGiveTheSameBitsAsOneAfterTheOther) {

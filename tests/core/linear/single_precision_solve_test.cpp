@@ -10,6 +10,7 @@
 #include "core/linear/cholesky.h"
 #include "core/linear/multifrontal.h"
 #include "core/linear/ordering.h"
+#include "core/linear/sweep.h"
 #include "core/linear/triangular_solve.h"
 #include "tests/support/random_symmetric.h"
 
@@ -23,20 +24,21 @@ TEST(SinglePrecisionSolve, IsThatOfDoublePrecisionButForRounding) {
   for (unsigned seed = 1; seed <= kSingleSeeds; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SparseSymmetric m = test::dominated(test::random_symmetric(seed), seed);
-    const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m));
+    const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m), 0);
     std::vector<double> values(factor.values);
-    UpdateStacks stacks;
-    ASSERT_EQ(factorize(factor, m, 0, values.data(), stacks), m.size());
-    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(m.size(), -1, 2), work;
+    Buffer<double> updates;
+    ASSERT_EQ(factorize(factor, m, 0, values.data(), updates), m.size());
+    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(factor.solve_size(), -1, 2), work;
     Eigen::VectorXf single_x = x.cast<float>();
     triangular_solve(factor, values.data(), x, work);
     // What is behind the values and in the work space must not matter.
     constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
     std::vector<float> single(factor.values + kSingleOverrun, kNotANumber);
-    std::vector<float> single_work(static_cast<std::size_t>(m.size()) + kSingleOverrun,
-                                   kNotANumber);
+    std::vector<float> single_work(sweep_work_size(factor, kSingleOverrun), kNotANumber);
     to_single_precision(factor, values.data(), single.data());
     triangular_solve_single(factor, single.data(), single_x.data(), single_work.data());
+    x.conservativeResize(m.size());
+    single_x.conservativeResize(m.size());
     EXPECT_LT((single_x.cast<double>() - x).norm(), 1e-5 * x.norm());
   }
 }

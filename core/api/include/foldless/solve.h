@@ -19,6 +19,8 @@ struct SolveOptions {
   std::string energy = "arap";  ///< distortion that is minimised, a name of energies()
   std::optional<double>
       time_limit;  ///< processor time of the solving thread, > 0; absent: none [s]
+  /// That share the work on large meshes, ≥ 1; the result is the same bits with any number.
+  int threads = 1;
   /// No flip and no split: `triangles` of the result are those of the input, and what cannot be
   /// reached with them is not reached. Algorithm 1 of [JHT14] without its remeshing.
   bool fixed_triangulation = false;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace foldless {
+
+/// Threads that work on one thing together: the one that asks for it, and helpers. A helper that has
+/// had nothing to do for some microseconds sleeps; one that has not woken up yet is not waited for.
+/// One thread at a time may ask.
+class Team {
+ public:
+  /// Starts threads − 1 helpers, fewer where the system gives no more; they take no signals.
+  explicit Team(int threads);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  /// Threads, with the one that asks.
+  int size() const { return static_cast<int>(helpers_.size()) + 1; }
+
+  /// Calls task(i) once for every 0 ≤ i < count, on any thread and in any order, and returns when
+  /// all have returned. Throws what one of them threw.
+  template <class Task>
+  void run(int count, const Task& task) {
+    run_job(count, {[](const void* of, int i) { (*static_cast<const Task*>(of))(i); }, &task});
+  }
+
+ private:
+  struct Job {
+    void (*call)(const void* task, int i);
+    const void* task;
+  };
+
+  void run_job(int count, Job job);
+  void open(int count);
+  void close();
+  /// Takes the next task of the job that is open, and runs it; false when there is none.
+  bool run_next();
+  void help();
+  /// The ticket, when it is another than `seen`.
+  std::uint64_t wait_for_work(std::uint64_t seen) const;
+
+  std::vector<std::thread> helpers_;
+  /// The number of the job in the upper half, of its next task in the lower.
+  std::atomic<std::uint64_t> ticket_;
+  std::atomic<int> count_ = 0, done_ = 0;
+  std::atomic<bool> is_over_ = false;
+  Job job_{};  ///< written while no job is open
+  std::mutex error_guard_;
+  std::exception_ptr error_;
+};
+
+/// Cores that this process may use, at least 1.
+int cores();
+
+/// While it lives, in_parallel() on this thread asks `team`; null, or one without helpers: nobody.
+class WithTeam {
+ public:
+  explicit WithTeam(Team* team);
+  ~WithTeam();
+  WithTeam(const WithTeam&) = delete;
+  WithTeam& operator=(const WithTeam&) = delete;
+
+ private:
+  Team* before_;
+};
+
+/// The team that in_parallel() asks on this thread; null where there is none. Tasks of a team have
+/// none.
+Team* present_team();
+/// How many threads work together on this one's behalf.
+int threads_at_work();
+
+/// Calls task(i) once for every 0 ≤ i < count, by the team of this thread or, without one, in order.
+template <class Task>
+void in_parallel(int count, const Task& task) {
+  Team* team = present_team();
+  if (team && count > 1) return team->run(count, task);
+  for (int i = 0; i < count; ++i) task(i);
+}
+
+/// Calls task(begin, end) for ranges that make up 0 … count, each of `grain` but the last.
+template <class Task>
+void in_ranges(std::ptrdiff_t count, std::ptrdiff_t grain, const Task& task) {
+  if (count <= grain || !present_team()) {
+    if (count > 0) task(std::ptrdiff_t{0}, count);
+    return;
+  }
+  in_parallel(static_cast<int>((count + grain - 1) / grain), [&](int i) {
+    const std::ptrdiff_t begin = i * grain;
+    task(begin, begin + grain < count ? begin + grain : count);
+  });
+}
+
+}  // namespace foldless

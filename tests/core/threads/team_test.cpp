@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/threads/team.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+namespace foldless {
+namespace {
+
+TEST(Team, RunsEveryTaskOnceHoweverManyAndHoweverOften) {
+  for (const int threads : {1, 2, 5}) {
+    SCOPED_TRACE(threads);
+    Team team(threads);
+    EXPECT_EQ(team.size(), threads);
+    for (int round = 0; round < 3000; ++round) {
+      const int count = round % 23;
+      std::vector<int> times(23, 0);  // each is written by one task
+      team.run(count, [&](int i) { ++times[static_cast<std::size_t>(i)]; });
+      ASSERT_EQ(std::accumulate(times.begin(), times.end(), 0), count);
+      for (int i = 0; i < count; ++i) ASSERT_EQ(times[static_cast<std::size_t>(i)], 1);
+    }
+  }
+}
+
+TEST(Team, HelpersTakePart) {
+  Team team(2);
+  std::atomic<int> at_once = 0;
+  std::atomic<bool> met = false;
+  // Neither task ends before the other has begun.
+  team.run(2, [&](int) {
+    if (++at_once == 2) met = true;
+    while (!met) std::this_thread::yield();
+  });
+  EXPECT_TRUE(met);
+}
+
+TEST(Team, WhatATaskThrowsArrivesWhenTheOthersAreDone) {
+  Team team(3);
+  for (int round = 0; round < 200; ++round) {
+    std::atomic<int> done = 0;
+    const auto run = [&] {
+      team.run(40, [&](int i) {
+        if (i == round % 40) throw std::runtime_error("of a task");
+        ++done;
+      });
+    };
+    EXPECT_THROW(run(), std::runtime_error);
+    EXPECT_EQ(done, 39);
+  }
+  int after = 0;
+  team.run(1, [&](int) { ++after; });
+  EXPECT_EQ(after, 1);
+}
+
+TEST(Team, IsAskedWhereItIsPresentAndByNoTask) {
+  EXPECT_EQ(present_team(), nullptr);
+  EXPECT_EQ(threads_at_work(), 1);
+  Team team(2);
+  {
+    const WithTeam with(&team);
+    EXPECT_EQ(threads_at_work(), 2);
+    std::atomic<int> with_a_team = 0;
+    in_parallel(50, [&](int) { with_a_team += present_team() != nullptr; });
+    EXPECT_EQ(with_a_team, 0);
+    EXPECT_EQ(present_team(), &team);
+  }
+  EXPECT_EQ(present_team(), nullptr);
+}
+
+TEST(Team, RangesMakeUpTheWhole) {
+  Team team(2);
+  for (const bool is_present : {false, true}) {
+    const WithTeam with(is_present ? &team : nullptr);
+    for (const std::ptrdiff_t count : {0, 1, 7, 8, 9, 100}) {
+      std::vector<int> times(100, 0);
+      std::atomic<int> ranges = 0;
+      in_ranges(count, 8, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+        ++ranges;
+        for (std::ptrdiff_t i = begin; i < end; ++i) ++times[static_cast<std::size_t>(i)];
+      });
+      EXPECT_EQ(ranges, is_present ? (count + 7) / 8 : count > 0);
+      for (std::ptrdiff_t i = 0; i < 100; ++i)
+        EXPECT_EQ(times[static_cast<std::size_t>(i)], i < count);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace foldless
