@@ -116,8 +116,8 @@ EnergyGradient Objective::gradient(const Energy& energy, const Points& u) const 
 
 void Objective::sum_elements(const Energy& energy, const Points& u, EnergyGradient& sum) const {
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const ElementGradient e = element_gradient(
-        energy.settings, reference(energy.settings, t), corners_of(u, triangles_.col(t)));
+    const ElementGradient e = element_gradient(energy.settings, reference(energy.settings, t),
+                                               corners_of(u, triangles_.col(t)));
     sum.energy.add(e.energy);
     for (int corner = 0; corner < 3; ++corner)
       sum.gradient.segment<2>(2 * triangles_(corner, t)) += e.gradient.segment<2>(2 * corner);

@@ -72,8 +72,7 @@ void Objective::sum_shared(const SecondOrder& at, EnergyGradient& sum,
       if (j < 0) continue;
       for (int other = 0; other < 3; ++other) {
         const int i = node_of(triangles_(other, triangle), at.energy.constraints);
-        if (i >= j)
-          add_block(hessian, i, j, element.hessian.block<2, 2>(2 * other, 2 * corner));
+        if (i >= j) add_block(hessian, i, j, element.hessian.block<2, 2>(2 * other, 2 * corner));
       }
     }
   });

@@ -79,8 +79,7 @@ class Multifrontal {
   }
 
   Front front_of(const Supernode& s) const {
-    return {{values_ + s.value_start, s.rows(), s.columns},
-            updates_ + s.update_start, s.below};
+    return {{values_ + s.value_start, s.rows(), s.columns}, updates_ + s.update_start, s.below};
   }
 
   void add_matrix(std::size_t k, const DensePanel& panel) const {

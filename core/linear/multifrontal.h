@@ -14,9 +14,9 @@ class Buffer {
  public:
   Value* data() { return values_.get(); }
   const Value* data() const { return values_.get(); }
-  /// Makes room; what was in it is lost where it was too small. There is some to spare, for the next
-  /// factor may be a little larger, and memory that was not used before is dear: every page of it is
-  /// a fault. Throws std::bad_alloc.
+  /// Makes room; what was in it is lost where it was too small. There is some to spare, for the
+  /// next factor may be a little larger, and memory that was not used before is dear: every page of
+  /// it is a fault. Throws std::bad_alloc.
   void reserve(std::size_t size) {
     if (size <= size_) return;
     values_.reset();

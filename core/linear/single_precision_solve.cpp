@@ -21,8 +21,8 @@ void to_single_precision(const SymbolicFactor& factor, const double* values, flo
       for (int i = j; i < s.rows(); ++i) to[i] = static_cast<float>(from[i]);
     }
   };
-  constexpr std::ptrdiff_t kTogether = 500;
-  in_ranges(static_cast<std::ptrdiff_t>(factor.supernodes.size()), kTogether,
+  constexpr std::ptrdiff_t kSupernodesTogether = 500;
+  in_ranges(static_cast<std::ptrdiff_t>(factor.supernodes.size()), kSupernodesTogether,
             [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
               for (std::ptrdiff_t k = begin; k < end; ++k)
                 convert(factor.supernodes[static_cast<std::size_t>(k)]);
@@ -184,7 +184,7 @@ void triangular_solve_single(const SymbolicFactor& factor, const float* single, 
   const auto backward = [&](const Supernode& s, float* at, float* scratch) {
     backward_single(s, rows + s.row_start, single + s.value_start, at, scratch);
   };
-  sweep(factor, SweptVector<float>{x, work}, kSingleOverrun, forward, backward);
+  sweep(factor, SweptVector<float>{x, work, kSingleOverrun}, forward, backward);
 }
 
 #else

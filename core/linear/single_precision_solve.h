@@ -14,8 +14,9 @@ void to_single_precision(const SymbolicFactor& factor, const double* values, flo
 /// So many values more are read than there are, and not used.
 constexpr int kSingleOverrun = 8;
 
-/// Solves L Lᵀ x = b in place as triangular_solve() does: x has room for factor.solve_size() values,
-/// `work` for sweep_work_size(factor, kSingleOverrun). Precondition: solves_in_single_precision().
+/// Solves L Lᵀ x = b in place as triangular_solve() does: x has room for factor.solve_size()
+/// values, `work` for sweep_work_size(factor, kSingleOverrun). Precondition:
+/// solves_in_single_precision().
 void triangular_solve_single(const SymbolicFactor& factor, const float* single, float* x,
                              float* work);
 

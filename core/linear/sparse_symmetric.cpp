@@ -120,8 +120,8 @@ BlockPlace find_block(const SparseSymmetric& matrix, int i, int j) {
 void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
   if (present_team() && !A.earlier_start.empty()) {
     y.resize(A.size());
-    constexpr std::ptrdiff_t kTogether = 1024;
-    in_ranges(A.nodes, kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    constexpr std::ptrdiff_t kNodesTogether = 1024;
+    in_ranges(A.nodes, kNodesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
       for (std::ptrdiff_t j = begin; j < end; ++j) multiply_rows(A, j, x.data(), y.data());
     });
     return;

@@ -12,13 +12,14 @@ namespace foldless {
 /// A vector in the order of elimination with its outer places, and scratch space.
 template <class Value>
 struct SweptVector {
-  Value* x;     ///< factor.solve_size() values
-  Value* work;  ///< sweep_work_size() values
+  Value* x;         ///< factor.solve_size() values
+  Value* work;      ///< sweep_work_size(factor, overrun) values
+  int overrun = 0;  ///< so many values more than a front's rows are touched in its scratch space
 };
 
-/// Values that a front needs for itself where `overrun` more than its rows are touched.
+/// Scratch values of a front.
 inline std::size_t front_work_size(const SymbolicFactor& factor, int overrun) {
-  return static_cast<std::size_t>(factor.largest_front + overrun);
+  return static_cast<std::size_t>(factor.largest_front) + static_cast<std::size_t>(overrun);
 }
 /// Scratch space of sweep(): a front's for every subtree and the top.
 inline std::size_t sweep_work_size(const SymbolicFactor& factor, int overrun) {
@@ -29,8 +30,8 @@ inline std::size_t sweep_work_size(const SymbolicFactor& factor, int overrun) {
 /// parents, and then backward(supernode, x, work) for all, parents before children. Subtrees go at
 /// the same time; what they do to rows above them goes by their outer places, in their order.
 template <class Value, class Forward, class Backward>
-void sweep(const SymbolicFactor& factor, SweptVector<Value> vector, int overrun,
-           const Forward& forward, const Backward& backward) {
+void sweep(const SymbolicFactor& factor, SweptVector<Value> vector, const Forward& forward,
+           const Backward& backward) {
   const auto count = static_cast<int>(factor.subtrees.size());
   const auto visit_outer = [&](int i, const auto& visit) {
     const Subtree& subtree = factor.subtrees[static_cast<std::size_t>(i)];
@@ -42,7 +43,7 @@ void sweep(const SymbolicFactor& factor, SweptVector<Value> vector, int overrun,
     }
   };
   const auto work_of = [&](int i) {
-    return vector.work + static_cast<std::size_t>(i) * front_work_size(factor, overrun);
+    return vector.work + static_cast<std::size_t>(i) * front_work_size(factor, vector.overrun);
   };
   const auto supernode = [&](int k) -> const Supernode& {
     return factor.supernodes[static_cast<std::size_t>(k)];
@@ -50,8 +51,7 @@ void sweep(const SymbolicFactor& factor, SweptVector<Value> vector, int overrun,
   std::fill_n(vector.x + factor.size(), 2 * static_cast<std::size_t>(factor.outer), Value{0});
   in_parallel(count, [&](int i) {
     const Subtree& subtree = factor.subtrees[static_cast<std::size_t>(i)];
-    for (int k = subtree.first; k <= subtree.root; ++k)
-      forward(supernode(k), vector.x, work_of(i));
+    for (int k = subtree.first; k <= subtree.root; ++k) forward(supernode(k), vector.x, work_of(i));
   });
   for (int i = 0; i < count; ++i)
     visit_outer(i, [](Value* x, const Value* outer) {

@@ -73,7 +73,7 @@ void triangular_solve(const SymbolicFactor& factor, const double* values, Eigen:
   const auto step_backward = [&](const Supernode& s, double* at, double* scratch) {
     backward({factor, values, s}, at, scratch);
   };
-  sweep(factor, SweptVector<double>{x.data(), work.data()}, 0, step_forward, step_backward);
+  sweep(factor, SweptVector<double>{x.data(), work.data()}, step_forward, step_backward);
 }
 
 }  // namespace foldless

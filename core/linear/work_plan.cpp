@@ -9,8 +9,8 @@
 namespace foldless {
 namespace {
 
-/// Subtrees have a sixteenth of the multiplications at most: some more of them than there are threads to
-/// share them, and no more above them than must be.
+/// Subtrees have a sixteenth of the multiplications at most: some more of them than there are
+/// threads to share them, and no more above them than must be.
 constexpr double kLargestShare = 1.0 / 16;
 
 std::size_t as_index(int i) { return static_cast<std::size_t>(i); }
@@ -82,7 +82,8 @@ class Planner {
     std::iota(all.begin(), all.end(), 0);
     for (const Subtree& subtree : factor_.subtrees) {
       Supernode& root = factor_.supernodes[as_index(subtree.root)];
-      stack_updates(std::span(all).subspan(as_index(subtree.first), as_index(subtree.root - subtree.first)));
+      stack_updates(
+          std::span(all).subspan(as_index(subtree.first), as_index(subtree.root - subtree.first)));
       root.update_start = factor_.updates;
       factor_.updates += update_size(root);
     }
@@ -94,7 +95,9 @@ class Planner {
     for (int k = begin; k < end; ++k) factor_.top.push_back(k);
   }
 
-  static std::size_t update_size(const Supernode& s) { return as_index(s.below) * as_index(s.below); }
+  static std::size_t update_size(const Supernode& s) {
+    return as_index(s.below) * as_index(s.below);
+  }
 
   /// A parent's update matrix is made while those of its children are there: they are in the other
   /// one of two stacks, where they are the last.
@@ -102,7 +105,7 @@ class Planner {
     std::size_t top[2] = {}, size[2] = {};
     for (const int k : supernodes) {
       Supernode& s = factor_.supernodes[as_index(k)];
-      const std::size_t own = is_odd_[as_index(k)];
+      const std::size_t own = is_odd_[as_index(k)] ? 1 : 0;
       s.update_start = top[own];
       top[own] += update_size(s);
       size[own] = std::max(size[own], top[own]);
@@ -110,20 +113,22 @@ class Planner {
       if (child >= 0) top[1 - own] = factor_.supernodes[as_index(child)].update_start;
     }
     for (const int k : supernodes)
-      factor_.supernodes[as_index(k)].update_start += factor_.updates + (is_odd_[as_index(k)] ? size[0] : 0);
+      factor_.supernodes[as_index(k)].update_start +=
+          factor_.updates + (is_odd_[as_index(k)] ? size[0] : 0);
     factor_.updates += size[0] + size[1];
   }
 
   int first_stacked_child(const Supernode& s) const {
     int child = s.child;
-    while (child >= 0 && is_root_[as_index(child)]) child = factor_.supernodes[as_index(child)].sibling;
+    while (child >= 0 && is_root_[as_index(child)])
+      child = factor_.supernodes[as_index(child)].sibling;
     return child;
   }
 
   SymbolicFactor& factor_;
-  std::vector<int> family_;     ///< supernodes of the subtree of each
-  std::vector<char> is_odd_;    ///< depth of each
-  std::vector<char> is_root_;   ///< of a subtree that is a task
+  std::vector<int> family_;    ///< supernodes of the subtree of each
+  std::vector<char> is_odd_;   ///< depth of each
+  std::vector<char> is_root_;  ///< of a subtree that is a task
 };
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace {
 thread_local Team* team_of_this_thread = nullptr;
 
 constexpr std::uint64_t kClosed = std::numeric_limits<std::uint32_t>::max();
-/// Some tens of microseconds: as long as there are between two things that one step does in parallel.
+/// Some tens of microseconds: as long as there are between two things that one step does in
+/// parallel.
 constexpr int kLooksBeforeSleep = 2000;
 
 std::uint64_t task_of(std::uint64_t ticket) { return ticket & kClosed; }
@@ -27,7 +28,8 @@ void rest() {
 #endif
 }
 
-/// While it lives, threads that are started take no signals: those are for the ones that were there.
+/// While it lives, threads that are started take no signals: those are for the ones that were
+/// there.
 class WithoutSignals {
  public:
   WithoutSignals() {

@@ -11,9 +11,9 @@
 
 namespace foldless {
 
-/// Threads that work on one thing together: the one that asks for it, and helpers. A helper that has
-/// had nothing to do for some microseconds sleeps; one that has not woken up yet is not waited for.
-/// One thread at a time may ask.
+/// Threads that work on one thing together: the one that asks for it, and helpers. A helper that
+/// has had nothing to do for some microseconds sleeps; one that has not woken up yet is not waited
+/// for. One thread at a time may ask.
 class Team {
  public:
   /// Starts threads − 1 helpers, fewer where the system gives no more; they take no signals.
@@ -78,7 +78,8 @@ Team* present_team();
 /// How many threads work together on this one's behalf.
 int threads_at_work();
 
-/// Calls task(i) once for every 0 ≤ i < count, by the team of this thread or, without one, in order.
+/// Calls task(i) once for every 0 ≤ i < count, by the team of this thread or, without one, in
+/// order.
 template <class Task>
 void in_parallel(int count, const Task& task) {
   Team* team = present_team();
