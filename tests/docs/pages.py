@@ -5,11 +5,13 @@
   pages.py TREE                      README is short, says what it has to, and moves; tables say where they are from
   pages.py TREE --regenerate PROGRAM runs small parts of the suites: the same columns, rows, sizes and version
   pages.py TREE --contract PROGRAM   docs/formats.md tells every key of a report and every column that is written
-  pages.py TREE --paste PROGRAM      the commands of README, pasted into a shell, all end with status 0
+  pages.py TREE --paste PROGRAM      the commands of README, pasted into a shell, all end with status 0 and make
+                                     what they say
   pages.py --self-test               shows that each rule of the first kind can fail
 """
 
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -17,6 +19,10 @@ import sys
 import tempfile
 
 MOST_LINES, MOST_WORDS, MOST_PICTURE_BYTES = 150, 1200, 1_500_000
+MOST_PROGRAM_LINES = 10
+# Sections with commands, what these print among other things, and a file that they make.
+PASTED = (("On the command line", r"every handle is at its target", "walk.webp"),
+          ("From Python", r"^True \[", "posed.png"), ("From C++", r"1\.5 +1\.2", "square"))
 DEFINITION = (
     "A map is **locally injective** when in the mesh at rest and in the deformed one every triangle is "
     "counter-clockwise, the triangles round every interior vertex cover it once, and the angles at every "
@@ -40,7 +46,7 @@ def readme_problems(tree):
         problems.append("README.md has lost its definition of locally injective")
     if tuple(re.findall(r"^## (.*)$", text, re.MULTILINE)) != SECTIONS:
         problems.append(f"README.md has other sections than {', '.join(SECTIONS)}")
-    return problems + picture_problems(tree, text)
+    return problems + program_problems(text) + picture_problems(tree, text)
 
 
 def picture_problems(tree, text):
@@ -139,22 +145,55 @@ def contract_problems(told, names):
     return [f"docs/formats.md does not tell of '{name}'" for name in names if name not in known]
 
 
+def commands_of(text, section):
+    """What the first block for a shell in a section of README has."""
+    of_section = re.search(rf"^## {re.escape(section)}$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
+    found = re.search(r"^```sh$\n(.*?)^```$", of_section.group(1) if of_section else "", re.MULTILINE | re.DOTALL)
+    return found.group(1) if found else ""
+
+
+def program_problems(text):
+    """The programs in README are short."""
+    problems = []
+    for section in ("From Python", "From C++"):
+        program = re.search(r"<<'END'$\n(.*?)^END$", commands_of(text, section), re.MULTILINE | re.DOTALL)
+        if not program or not program.group(1).strip():
+            problems.append(f"README.md has no program {section}")
+        elif program.group(1).count("\n") > MOST_PROGRAM_LINES:
+            problems.append(f"README.md has more than {MOST_PROGRAM_LINES} lines {section}")
+    return problems
+
+
 def paste_problems(tree, program):
-    """Runs the lines of the section on the command line in a folder with assets and a build."""
+    """Runs the lines of the three sections one after the other, in a folder with assets and a build."""
     text = (tree / "README.md").read_text(encoding="utf-8")
-    commands = re.search(r"^## On the command line$.*?^```sh$\n(.*?)^```$", text, re.MULTILINE | re.DOTALL).group(1)
+    build = pathlib.Path(program).resolve().parent
+    problems = []
     with tempfile.TemporaryDirectory() as folder:
-        (pathlib.Path(folder) / "build/release").mkdir(parents=True)
-        (pathlib.Path(folder) / "build/release/foldless").symlink_to(pathlib.Path(program).resolve())
-        (pathlib.Path(folder) / "assets").symlink_to((tree / "assets").resolve())
-        ended = subprocess.run(["bash", "-e"], input=commands, cwd=folder, capture_output=True, text=True)
-    return [f"README.md: status {ended.returncode}: {ended.stderr}"] if ended.returncode else []
+        here = pathlib.Path(folder)
+        (here / "build").mkdir()
+        (here / "build/release").symlink_to(build)
+        (here / "assets").symlink_to((tree / "assets").resolve())
+        path = f"{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}"
+        for section, said, made in PASTED:
+            if section == "From Python" and not (build / "python").is_dir():
+                continue
+            ended = subprocess.run(["bash", "-e"], input=commands_of(text, section), cwd=folder, capture_output=True,
+                                   text=True, env={**os.environ, "PATH": path, "PYTHONDONTWRITEBYTECODE": "1"})
+            if ended.returncode:
+                problems.append(f"README.md, {section}: status {ended.returncode}: {ended.stderr}")
+            elif not re.search(said, ended.stdout):
+                problems.append(f"README.md, {section}: prints {ended.stdout!r}, without {said!r}")
+            elif not (here / made).is_file():
+                problems.append(f"README.md, {section}: makes no {made}")
+    return problems
 
 
 def made_tree(folder, change=lambda readme, benchmarks: (readme, benchmarks), picture=b"RIFF....WEBPANMF"):
     """A good tree, or one that is spoilt."""
     tree = pathlib.Path(folder)
-    readme = f"# F\n![x](p.webp)\n{DEFINITION}\n" + "".join(f"## {name}\n" for name in SECTIONS)
+    commands = "```sh\nrun <<'END'\na line\nEND\n```\n"
+    readme = f"# F\n![x](p.webp)\n{DEFINITION}\n" + "".join(f"## {name}\n{commands}" for name in SECTIONS)
     origin = "*2026-01-31 · AMD, 2 cores · foldless 1.0 · `foldless bench --suite x`*"
     benchmarks = "".join(f"<!-- begin {suite} -->\n{origin}\n\n| a | b |\n|---|---|\n| 1 | 2 |\n<!-- end {suite} -->\n"
                          for suite in SUITES)
@@ -166,12 +205,20 @@ def made_tree(folder, change=lambda readme, benchmarks: (readme, benchmarks), pi
     return tree
 
 
+def longer(readme, section):
+    """README with a program of a section that is a line too long."""
+    before, after = readme.split(f"## {section}\n")
+    return f"{before}## {section}\n" + after.replace("a line\n", "a line\n" * (MOST_PROGRAM_LINES + 1), 1)
+
+
 def self_test():
     spoilt = {
         "more than 150": lambda r, b: (r + "\n" * 150, b),
         "more than 1200": lambda r, b: (r + "word " * 1200, b),
         "lost its definition": lambda r, b: (r.replace("cover it once", "cover it"), b),
         "other sections": lambda r, b: (r.replace("## Results\n", ""), b),
+        "more than 10 lines From C++": lambda r, b: (longer(r, "From C++"), b),
+        "no program From Python": lambda r, b: (r.replace("## From Python\n```sh", "## From Python\n```"), b),
         "begins with no picture": lambda r, b: (r.replace("p.webp", "q.webp"), b),
         "no markers of drags": lambda r, b: (r, b.replace("<!-- end drags -->", "")),
         "paper does not say date": lambda r, b: (r, b.replace("2026-01-31", "lately")),
