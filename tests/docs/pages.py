@@ -29,9 +29,11 @@ DEFINITION = (
     "boundary vertex add up to less than a full turn.")
 SECTIONS = ("Two commands", "Three pictures", "What sets it apart", "On the command line", "From Python", "From C++",
             "Results", "Links")
-SUITES = ("paper", "random", "large", "drags")
+SUITES = ("paper", "random", "large", "drags", "seeds", "methods", "large-all", "drags-all")
+HANDLES = "benchmark/README.md", "handles"
+RECORD = re.compile(r"^\*Record · [^*]*\d [A-Z][a-z]+ 20\d\d · foldless [\d.]+: [^*]+\*$", re.MULTILINE)
 ORIGIN = re.compile(r"^\*(?P<date>\d{4}-\d\d-\d\d) · (?P<machine>.+, \d+ cores) · (?P<version>foldless \S+) · "
-                    r"`foldless bench (?P<arguments>--suite [^`]+)`\*$", re.MULTILINE)
+                    r"`(?:foldless bench --suite|benchmark/run) [^`]+`\*$", re.MULTILINE)
 
 
 def readme_problems(tree):
@@ -60,9 +62,9 @@ def picture_problems(tree, text):
     return [f"{first.group(1)} has {len(data)} bytes"] if len(data) > MOST_PICTURE_BYTES else []
 
 
-def block(tree, suite):
+def block(tree, suite, page="docs/benchmarks.md"):
     """What scripts/benchmarks wrote of a suite, or None."""
-    text = (tree / "docs/benchmarks.md").read_text(encoding="utf-8")
+    text = (tree / page).read_text(encoding="utf-8")
     found = re.search(rf"^<!-- begin {suite} -->$\n(.*?)^<!-- end {suite} -->$", text, re.MULTILINE | re.DOTALL)
     return found.group(1) if found else None
 
@@ -76,22 +78,41 @@ def table_of(text):
 
 def block_problems(tree):
     problems = []
-    for suite in SUITES:
-        text = block(tree, suite)
+    for page, suite in [("docs/benchmarks.md", suite) for suite in SUITES] + [HANDLES]:
+        text = block(tree, suite, page)
         if text is None:
-            problems.append(f"docs/benchmarks.md has no markers of {suite}")
+            problems.append(f"{page} has no markers of {suite}")
         elif not ORIGIN.search(text):
-            problems.append(f"docs/benchmarks.md: {suite} does not say date, machine, version and command")
+            problems.append(f"{page}: {suite} does not say date, machine, version and command")
         elif not re.search(r"^\|[-| ]+\|\n\|", text, re.MULTILINE):
-            problems.append(f"docs/benchmarks.md: {suite} has no table")
+            problems.append(f"{page}: {suite} has no table")
     return problems
 
 
-def regenerated(program, arguments):
-    """The table that bench makes now."""
+def record_problems(tree):
+    """Figures in tables that no command writes are marked as a record, with date and version."""
+    problems = []
+    for path in [tree / "README.md", tree / "docs/engine.md", tree / "docs/benchmarks.md", tree / "docs/paper.md",
+                 *sorted((tree / "docs/experiments").glob("*.md"))]:
+        if not path.is_file():
+            continue
+        text = re.sub(r"^<!-- begin .*?^<!-- end .*?$", "", path.read_text(encoding="utf-8"),
+                      flags=re.MULTILINE | re.DOTALL)
+        figures = re.search(r"^\|(?:[^|\n]*\|)*\s*[\d.]+ *[^|\n]{0,8}\|", text, re.MULTILINE)
+        if figures and not RECORD.search(text[:figures.start()]):
+            problems.append(f"{path.relative_to(tree)} has a table of figures, neither written by scripts/benchmarks "
+                            f"nor marked as a record: {figures.group()}")
+    return problems
+
+
+def regenerated(tree, program, arguments, seeds):
+    """The table that bench makes now, or that of several seeds."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out"
         subprocess.run([program, "bench", *arguments, "-o", str(out)], check=True, stdout=subprocess.DEVNULL)
+        if seeds:
+            return table_of(subprocess.run([sys.executable, tree / "scripts/tables/seeds.py", out], check=True,
+                                           stdout=subprocess.PIPE, text=True).stdout)
         name = "table1.md" if (out / "table1.md").exists() else "summary.md"
         return table_of((out / name).read_text(encoding="utf-8"))
 
@@ -99,7 +120,12 @@ def regenerated(program, arguments):
 # A part of each suite that takes no time, and how many cells at the left do not depend on the machine.
 PARTS = (("paper", ["--suite", "paper", "--only", "5", "--method", "paper-flip,foldless"], 4),
          ("random", ["--suite", "random", "--seed", "701", "--only", "0", "--method", "foldless,paper-flip"], 1),
-         ("drags", ["--suite", "drag", "--only", "0", "--method", "foldless"], 3))
+         ("methods", ["--suite", "random", "--seed", "1", "--only", "0", "--method", "foldless,lim"], 1),
+         ("seeds", ["--suite", "random", "--seed", "705", "--only", "0", "--method", "foldless,paper-flip"], 2),
+         ("large", ["--suite", "scale", "--only", "0", "--method", "foldless"], 3),
+         ("large-all", ["--suite", "scale", "--only", "0", "--method", "foldless"], 3),
+         ("drags", ["--suite", "drag", "--only", "0", "--method", "foldless"], 3),
+         ("drags-all", ["--suite", "drag", "--only", "0", "--method", "foldless"], 3))
 
 
 def regeneration_problems(tree, program):
@@ -110,7 +136,7 @@ def regeneration_problems(tree, program):
         if ORIGIN.search(text).group("version") != version:
             problems.append(f"{suite} is of {ORIGIN.search(text).group('version')}, this is {version}: "
                             f"run scripts/benchmarks {suite}")
-        written, new = table_of(text), regenerated(program, arguments)
+        written, new = table_of(text), regenerated(tree, program, arguments, suite == "seeds")
         if written[0] != new[0]:
             problems.append(f"{suite}: docs/benchmarks.md has the columns {written[0]}, bench writes {new[0]}")
         known = {tuple(row[:names]) for row in written[1:]}
@@ -196,8 +222,10 @@ def made_tree(folder, change=lambda readme, benchmarks: (readme, benchmarks), pi
     readme = f"# F\n![x](p.webp)\n{DEFINITION}\n" + "".join(f"## {name}\n{commands}" for name in SECTIONS)
     origin = "*2026-01-31 · AMD, 2 cores · foldless 1.0 · `foldless bench --suite x`*"
     benchmarks = "".join(f"<!-- begin {suite} -->\n{origin}\n\n| a | b |\n|---|---|\n| 1 | 2 |\n<!-- end {suite} -->\n"
-                         for suite in SUITES)
+                         for suite in (*SUITES, HANDLES[1]))
     readme, benchmarks = change(readme, benchmarks)
+    (tree / "benchmark").mkdir(exist_ok=True)
+    (tree / HANDLES[0]).write_text(benchmarks, encoding="utf-8")
     (tree / "docs").mkdir(exist_ok=True)
     (tree / "README.md").write_text(readme, encoding="utf-8")
     (tree / "docs/benchmarks.md").write_text(benchmarks, encoding="utf-8")
@@ -223,17 +251,23 @@ def self_test():
         "no markers of drags": lambda r, b: (r, b.replace("<!-- end drags -->", "")),
         "paper does not say date": lambda r, b: (r, b.replace("2026-01-31", "lately")),
         "large does not say date": lambda r, b: (r, b.replace("foldless 1.0 · ", "")),
+        "README.md: handles does not say date": lambda r, b: (r, b.replace("--suite x`*\n\n| a", "`*\n\n| a")),
+        "docs/benchmarks.md has a table of figures": lambda r, b: (r, b + "| x | y |\n|---|---|\n| x | 1.5 s |\n"),
+        "README.md has a table of figures": lambda r, b: (r + "| x |\n|---|\n| 1.5 |\n", b),
         "has no table": lambda r, b: (r, b.replace("|---|---|\n", ""))}
     failures = []
     with tempfile.TemporaryDirectory() as folder:
         for what, change in {"": lambda r, b: (r, b), **spoilt}.items():
             tree = made_tree(folder, change)
-            problems = readme_problems(tree) + block_problems(tree)
+            problems = readme_problems(tree) + block_problems(tree) + record_problems(tree)
             if bool(what) != any(what in problem for problem in problems):
                 failures.append(f"expected '{what}', got {problems}")
         for what, picture in {"does not move": b"RIFF....WEBPVP8L", "bytes": b"ANMF" * 400_000}.items():
             if not any(what in problem for problem in readme_problems(made_tree(folder, picture=picture))):
                 failures.append(f"accepted a picture that {what}")
+    marked = "*Record · 22 November 2026 · foldless 0.1.0: measured once.*\n| 1 |\n"
+    if not RECORD.search(marked) or RECORD.search(marked.replace("0.1.0", "")):
+        failures.append("knows no record")
     if contract_problems("`a` b `c`", ["a", "c"]) or len(contract_problems("`a` b", ["a", "b"])) != 1:
         failures.append("takes a name for told that is not")
     return failures
@@ -244,7 +278,7 @@ def main(arguments):
         problems = self_test()
     elif len(arguments) == 1:
         tree = pathlib.Path(arguments[0])
-        problems = readme_problems(tree) + block_problems(tree)
+        problems = readme_problems(tree) + block_problems(tree) + record_problems(tree)
     elif len(arguments) == 3 and arguments[1] == "--regenerate":
         problems = regeneration_problems(pathlib.Path(arguments[0]), arguments[2])
     elif len(arguments) == 3 and arguments[1] == "--paste":
