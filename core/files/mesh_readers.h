@@ -18,8 +18,8 @@ PolygonSoup read_obj(std::string_view text, std::string name);
 
 /// The texture coordinates (vt u v) that the corners of the faces of an OBJ give to its vertices,
 /// not numbers at a vertex that has none. Throws Error `NAME:LINE: ...` for what cannot be read,
-/// for a number of none of them, and for a vertex that has two. Precondition: read_obj() took the
-/// text.
+/// for a number of none of them, and for a vertex that has two. Precondition: planar_triangles()
+/// took what read_obj() made of the text.
 Points read_obj_texture(std::string_view text, std::string_view name);
 
 /// Geomview OFF as text, with or without its header word; numbers that follow the first three of

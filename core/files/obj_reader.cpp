@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -111,15 +112,15 @@ class ObjTexture {
       Words words(lines.line());
       const std::string_view keyword = words.next();
       line_ = lines.number();
-      if (keyword == "v") coordinates_.emplace_back(kNone, kNone);
+      if (keyword == "v") ++vertices_;
       if (keyword == "vt") read_coordinates(words);
       if (keyword == "f")
         for (std::string_view word = words.next(); !word.empty(); word = words.next())
           read_corner(word);
     }
-    Points points(2, static_cast<Eigen::Index>(coordinates_.size()));
-    for (std::size_t v = 0; v < coordinates_.size(); ++v)
-      points.col(static_cast<Eigen::Index>(v)) = coordinates_[v];
+    Points points = Points::Constant(2, static_cast<Eigen::Index>(vertices_), kNone);
+    for (const auto& [vertex, coordinates] : coordinates_)
+      points.col(static_cast<Eigen::Index>(vertex)) = coordinates;
     return points;
   }
 
@@ -148,25 +149,25 @@ class ObjTexture {
     if (t >= known_.size())
       refuse("the corner " + in_quotes(corner) +
              " names texture coordinates that did not go before");
-    Vec2& of_vertex = coordinates_[place(vertex, coordinates_.size())];
-    if (!std::isnan(of_vertex.x()) && of_vertex != known_[t])
+    const auto [old, is_new] = coordinates_.emplace(place(vertex, vertices_), known_[t]);
+    if (!is_new && old->second != known_[t])
       refuse("the corner " + in_quotes(corner) +
              " gives other texture coordinates to a vertex that has some; one place a vertex is "
              "needed");
-    of_vertex = known_[t];
   }
 
   /// The index from 0 of what is counted from 1, or from −1 backwards; too large where there is
   /// none.
   static std::size_t place(int number, std::size_t count) {
-    return number < 0 ? count - static_cast<std::size_t>(-number)
-                      : static_cast<std::size_t>(number) - 1;
+    const std::int64_t index = number < 0 ? static_cast<std::int64_t>(count) + number : number - 1;
+    return static_cast<std::size_t>(index);
   }
 
   std::string_view name_;
   int line_ = 0;
-  std::vector<Vec2> known_;        ///< texture coordinates so far
-  std::vector<Vec2> coordinates_;  ///< by vertex
+  std::size_t vertices_ = 0;  ///< so far; corners may name some that come later
+  std::vector<Vec2> known_;   ///< texture coordinates so far
+  std::unordered_map<std::size_t, Vec2> coordinates_;  ///< by vertex
 };
 
 }  // namespace

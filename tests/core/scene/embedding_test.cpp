@@ -41,6 +41,14 @@ TEST(Embedding, HandlesStayWhereTheTextureCoordinatesHaveThem) {
   EXPECT_FALSE(scene.state) << "the map folds, so that nothing can begin at it";
 }
 
+TEST(Embedding, FacesMayComeBeforeTheVerticesThatTheyName) {
+  const TemporaryFolder folder;
+  folder.write("input.obj", "vt 0 0\nvt 3 0\nvt 0 3\nf 1/1 2/2 3/3\nv 0 0\nv 1 0\nv 0 1\n");
+  folder.write("handles.txt", "2\n");
+  const Scene scene = scene_from_embedding(folder / "input.obj").scene;
+  EXPECT_EQ(scene.handles.at(0).target, Vec2(0, 3));
+}
+
 TEST(Embedding, RefusesHandlesThatAreNone) {
   const TemporaryFolder folder;
   folder.write("input.obj", kFolded + std::string("v 5 5 0\n"));
