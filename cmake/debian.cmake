@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cpack -G DEB: a Debian package a component; scripts/package makes them.
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_CONTACT "Foldless maintainers <maintainers@foldless.example>")
+# No address is kept for the project: one that is none (RFC 2606) says so. scripts/package puts the
+# packager's in its place.
+set(CPACK_PACKAGE_CONTACT "Foldless developers <nobody@foldless.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "2D deformation of drawings and meshes that never folds")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

@@ -38,6 +38,27 @@ if(NOT FOLDLESS_SANITIZE)
                    --contract $<TARGET_FILE:foldless>)
 endif()
 
+add_test(NAME HandlesBenchmark.CheckerTellsOfEachRuleThatIsBroken
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/benchmark/check_test.py)
+if(NOT FOLDLESS_SANITIZE)
+  add_test(NAME HandlesBenchmark.ScenesAreThoseOfTheGeneratorAndFoldlessReachesThem
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/benchmark/scenes_test.sh ${PROJECT_SOURCE_DIR}
+                   $<TARGET_FILE_DIR:foldless>)
+endif()
+
+# Sweeps over processes. What makes them need not be installed.
+function(sweep_test name mode)
+  add_test(NAME SweepInShards.${name}
+           COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/sweep/sweep_test.sh ${mode} ${PROJECT_SOURCE_DIR}
+                   $<TARGET_FILE_DIR:foldless>)
+  set_tests_properties(SweepInShards.${name} PROPERTIES TIMEOUT 300 SKIP_RETURN_CODE 77)
+endfunction()
+if(NOT FOLDLESS_SANITIZE)
+  sweep_test(Of256ScenesTwoOfWhichWereKilledIsThatOfOneRun killed)
+  sweep_test(OfGnuParallelIsThatOfOneRun parallel)
+  sweep_test(OfASlurmArrayIsThatOfOneRun slurm)
+endif()
+
 add_test(NAME GesturesTable.NamesTestsThatAreThere
          COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/gestures_table_test.cmake)

@@ -22,6 +22,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/problem.h"
 #include "app/cli/result_folder.h"
+#include "app/cli/scene_files.h"
 #include "core/files/atomic_file.h"
 #include "core/method/methods.h"
 #include "core/run/interrupt.h"
@@ -36,7 +37,7 @@ bool is_wanted(const BenchCall& call, int index) {
 BenchScene scene_of(const std::filesystem::path& file) {
   LoadedScene loaded = load_scene_file(file);
   print_notices(loaded.notices);
-  return {file.stem().string(), "", std::move(loaded.scene)};
+  return {name_of_scene(file), "", std::move(loaded.scene)};
 }
 
 /// Those of `count` scenes that are wanted.

@@ -11,33 +11,12 @@
 #include "app/cli/problem.h"
 #include "app/cli/version.h"
 #include "core/error.h"
-#include "core/files/atomic_file.h"
 #include "core/files/mesh_source.h"
-#include "core/files/text_lines.h"
 
 namespace foldless {
 namespace {
 
-namespace fs = std::filesystem;
 using Rows = std::vector<BenchRow>;
-
-std::vector<fs::path> scenes_in_folder(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  std::ranges::sort(files);
-  if (files.empty()) throw Error(folder.string() + ": has no scene, no file that ends with .json");
-  return files;
-}
-
-std::vector<fs::path> scenes_in_list(const fs::path& list) {
-  std::vector<fs::path> files;
-  const std::string text = read_file(list);
-  for (TextLines lines(text); lines.next();)
-    if (!lines.line().empty()) files.push_back(list.parent_path() / std::string(lines.line()));
-  if (files.empty()) throw Error(list.string() + ": names no scene; write one a line");
-  return files;
-}
 
 Sweep sweep_of(const BenchCall& call) {
   std::string version = version_text();
@@ -74,19 +53,6 @@ Rows take_done(const SweepFile& file, const Sweep& sweep, const std::vector<Benc
 }
 
 }  // namespace
-
-std::vector<fs::path> scene_files(const std::vector<fs::path>& named) {
-  std::vector<fs::path> files;
-  for (const fs::path& path : named) {
-    std::vector<fs::path> more{path};
-    if (fs::is_directory(path))
-      more = scenes_in_folder(path);
-    else if (path.extension() == ".txt")
-      more = scenes_in_list(path);
-    files.insert(files.end(), more.begin(), more.end());
-  }
-  return files;
-}
 
 std::vector<BenchRow> run_sweep(const BenchCall& call, const std::vector<BenchJob>& jobs,
                                 const RunJobs& run) {

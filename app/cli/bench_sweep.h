@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <vector>
 
@@ -9,11 +8,6 @@
 #include "app/cli/calls.h"
 
 namespace foldless {
-
-/// The scene files that the arguments name: a folder stands for the .json files in it by name, and
-/// a .txt file for the scenes in its lines, as seen from its folder. Throws Error where there is
-/// none.
-std::vector<std::filesystem::path> scene_files(const std::vector<std::filesystem::path>& named);
 
 /// Runs jobs and tells of each row that is finished.
 using RunJobs = std::function<std::vector<BenchRow>(

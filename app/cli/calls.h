@@ -36,8 +36,9 @@ struct ParameterOption {
 
 /// `foldless solve SCENE -o DIR`
 struct SolveCall {
-  std::filesystem::path scene;
-  std::filesystem::path folder;
+  std::filesystem::path scene;              ///< or a folder or list of scenes
+  std::filesystem::path folder;             ///< or that of a folder for each scene
+  std::optional<Shard> shard;               ///< the part of the scenes; absent: all
   std::string method;                       ///< empty: that of the scene
   std::string energy;                       ///< empty: that of the scene
   std::vector<ParameterOption> parameters;  ///< instead of those of the scene

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "app/cli/scene_files.h"
 #include "app/export/animation_format.h"
 #include "core/energy/densities.h"
 #include "core/error.h"
@@ -130,6 +131,16 @@ std::array<int, 2> read_range(const std::string& text) {
   return {*first, *last};
 }
 
+Shard read_shard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto number = parse_integer(text.substr(0, slash));
+  const auto count =
+      slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
+  if (!number || !count || *number < 1 || *number > *count)
+    throw Error("--shard takes one of 1/N to N/N, not " + in_quotes(text));
+  return {*number, *count};
+}
+
 }  // namespace
 
 std::string words_of(std::span<const std::string_view> words) {
@@ -159,6 +170,9 @@ void read_solve(const Texts& texts, SolveCall& call) {
         positive_integer(texts.frames, "--frames takes `all` or a number of 1 or more");
   if (!texts.time_limit.empty()) call.time_limit = read_seconds(texts.time_limit);
   if (call.threads && *call.threads < 1) throw Error("--threads takes a number of 1 or more");
+  if (texts.shard.empty()) return;
+  call.shard = read_shard(texts.shard);
+  if (!are_scenes(call.scene)) throw Error("--shard goes with a folder or a list of scenes");
 }
 
 std::array<int, 2> read_size(const std::string& text) {
@@ -220,16 +234,6 @@ void read_check(const CheckCall& call) {
 }
 
 namespace {
-
-Shard read_shard(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  const auto number = parse_integer(text.substr(0, slash));
-  const auto count =
-      slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
-  if (!number || !count || *number < 1 || *number > *count)
-    throw Error("--shard takes one of 1/N to N/N, not " + in_quotes(text));
-  return {*number, *count};
-}
 
 void read_sweep(const Texts& texts, BenchCall& call) {
   if (!texts.shard.empty()) call.shard = read_shard(texts.shard);

@@ -7,11 +7,12 @@
 
 #include "core/method/methods.h"
 #include "core/run/mesh_at_rest.h"
+#include "core/scene/embedding.h"
 
 namespace foldless {
 
 LoadedScene load_scene_file(const std::filesystem::path& file) {
-  return load_scene(file, method_names());
+  return is_embedding(file) ? scene_from_embedding(file) : load_scene(file, method_names());
 }
 
 Problem problem_of(const Scene& scene) {

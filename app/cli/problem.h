@@ -13,7 +13,8 @@
 
 namespace foldless {
 
-/// A scene file with the methods of this program; throws Error.
+/// A scene file with the methods of this program, or an OBJ file with handles.txt beside it; throws
+/// Error.
 LoadedScene load_scene_file(const std::filesystem::path& file);
 
 /// What a scene starts from: its state where it has one, else its mesh at rest.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -15,8 +17,10 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/report.h"
 #include "app/cli/results.h"
+#include "app/cli/scene_files.h"
 #include "app/export/texture_place.h"
 #include "core/energy/densities.h"
+#include "core/error.h"
 #include "core/run/interrupt.h"
 #include "core/run/run.h"
 #include "core/run/stop_watch.h"
@@ -130,9 +134,7 @@ int status_of(const Solved& solved) {
   return solved.satisfied && has_ended ? kExitDone : kExitNotSatisfied;
 }
 
-}  // namespace
-
-int solve(const SolveCall& call) {
+int solve_one(const SolveCall& call) {
   const Clock::time_point start = Clock::now();
   LoadedScene loaded = load_scene_file(call.scene);
   Scene& scene = loaded.scene;
@@ -158,6 +160,48 @@ int solve(const SolveCall& call) {
   else if (!call.quiet)
     print_summary(call, solved);
   return status_of(solved);
+}
+
+/// A call for each of the scenes that fall to the shard, into a folder of its name. Throws Error
+/// where two scenes have one name.
+std::vector<SolveCall> calls_of(const SolveCall& call) {
+  const std::vector<std::filesystem::path> files = scene_files({call.scene});
+  const Shard shard = call.shard.value_or(Shard{});
+  std::map<std::string, std::filesystem::path> names;
+  std::vector<SolveCall> calls;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string name = name_of_scene(files[i]);
+    if (const auto [other, is_new] = names.emplace(name, files[i]); !is_new)
+      throw Error(files[i].string() + ": would be written to the folder of " +
+                  other->second.string() + ", which has the same name");
+    if (!shard.holds(i)) continue;
+    calls.push_back(call);
+    calls.back().scene = files[i];
+    calls.back().folder = call.folder / name;
+  }
+  return calls;
+}
+
+/// One scene after the other. One that cannot be solved is told of and keeps no other from being.
+int solve_all(const std::vector<SolveCall>& calls) {
+  int status = kExitDone;
+  for (const SolveCall& call : calls) {
+    int ended = kExitBadInput;
+    try {
+      ended = solve_one(call);
+    } catch (const Error& error) {
+      std::cerr << "foldless: " << error.what() << '\n';
+    }
+    if (ended == kExitInterrupted) return ended;
+    status = std::max(status, ended);
+  }
+  return status;
+}
+
+}  // namespace
+
+int solve(const SolveCall& call) {
+  return are_scenes(call.scene) ? solve_all(calls_of(call)) : solve_one(call);
 }
 
 }  // namespace foldless

@@ -26,7 +26,10 @@ std::string sample(std::string_view file = "assets/scenes/figure5_coarse_disk.js
 
 CLI::App* add_solve(CLI::App& app, SolveCall& call, Texts& texts) {
   CLI::App* solve = app.add_subcommand("solve", "run the solver on a scene, without a window");
-  solve->add_option("SCENE", call.scene, "scene file (JSON)")->required();
+  solve
+      ->add_option("SCENE", call.scene,
+                   "scene (JSON, or OBJ with handles.txt), folder or .txt list of them")
+      ->required();
   solve->add_option("-o,--output", call.folder, "folder for what is written; made if need be")
       ->required()
       ->type_name("DIR");
@@ -46,6 +49,8 @@ CLI::App* add_solve(CLI::App& app, SolveCall& call, Texts& texts) {
       ->add_option("--time-limit", texts.time_limit,
                    "processor seconds of solving; what was reached by then is written")
       ->type_name("SECONDS");
+  solve->add_option("--shard", texts.shard, "of a folder or list every N-th scene from the I-th on")
+      ->type_name("I/N");
   solve->add_flag("--render", call.render, "draw the result and every frame as PNG");
   solve->add_option("--threads", call.threads, "for solving and drawing, all cores when absent")
       ->type_name("N");

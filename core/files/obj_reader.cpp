@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
+#include "core/error.h"
 #include "core/files/mesh_readers.h"
 #include "core/files/text_lines.h"
 #include "core/files/vertex_line.h"
@@ -97,10 +102,82 @@ class ObjReader {
   Offenders bad_references_{"corner", "a face may only name vertices of the mesh"};
 };
 
+/// What corners of faces say of texture coordinates.
+class ObjTexture {
+ public:
+  explicit ObjTexture(std::string_view name) : name_(name) {}
+
+  Points read(std::string_view text) {
+    for (ContinuedLines lines(text); lines.next();) {
+      Words words(lines.line());
+      const std::string_view keyword = words.next();
+      line_ = lines.number();
+      if (keyword == "v") ++vertices_;
+      if (keyword == "vt") read_coordinates(words);
+      if (keyword == "f")
+        for (std::string_view word = words.next(); !word.empty(); word = words.next())
+          read_corner(word);
+    }
+    Points points = Points::Constant(2, static_cast<Eigen::Index>(vertices_), kNone);
+    for (const auto& [vertex, coordinates] : coordinates_)
+      points.col(static_cast<Eigen::Index>(vertex)) = coordinates;
+    return points;
+  }
+
+ private:
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Error(std::string(name_) + ":" + std::to_string(line_) + ": " + what);
+  }
+
+  void read_coordinates(Words words) {
+    const auto u = parse_number(words.next()), v = parse_number(words.next());
+    if (!u || !v) refuse("texture coordinates need two numbers: vt u v");
+    known_.emplace_back(*u, *v);
+  }
+
+  void read_corner(std::string_view corner) {
+    const std::size_t slash = corner.find('/');
+    if (slash == std::string_view::npos) return;
+    const std::string_view rest = corner.substr(slash + 1);
+    const std::string_view number = rest.substr(0, rest.find('/'));
+    if (number.empty()) return;
+    const auto index = parse_integer(number);
+    const int vertex = *parse_integer(corner.substr(0, slash));
+    const std::size_t t = place(index.value_or(0), known_.size());
+    if (t >= known_.size())
+      refuse("the corner " + in_quotes(corner) +
+             " names texture coordinates that did not go before");
+    const auto [old, is_new] = coordinates_.emplace(place(vertex, vertices_), known_[t]);
+    if (!is_new && old->second != known_[t])
+      refuse("the corner " + in_quotes(corner) +
+             " gives other texture coordinates to a vertex that has some; one place a vertex is "
+             "needed");
+  }
+
+  /// The index from 0 of what is counted from 1, or from −1 backwards; too large where there is
+  /// none.
+  static std::size_t place(int number, std::size_t count) {
+    const std::int64_t index = number < 0 ? static_cast<std::int64_t>(count) + number : number - 1;
+    return static_cast<std::size_t>(index);
+  }
+
+  std::string_view name_;
+  int line_ = 0;
+  std::size_t vertices_ = 0;  ///< so far; corners may name some that come later
+  std::vector<Vec2> known_;   ///< texture coordinates so far
+  std::unordered_map<std::size_t, Vec2> coordinates_;  ///< by vertex
+};
+
 }  // namespace
 
 PolygonSoup read_obj(std::string_view text, std::string name) {
   return ObjReader(std::move(name)).read(text);
+}
+
+Points read_obj_texture(std::string_view text, std::string_view name) {
+  return ObjTexture(name).read(text);
 }
 
 }  // namespace foldless

@@ -26,7 +26,7 @@ IMAGE_AROUND = re.compile(r"\[(!\[[^\]]*\]\([^()]*\))\]\(")
 def pages(tree):
     """The Markdown files that readers are led to."""
     found = [tree / name for name in TOP if (tree / name).is_file()]
-    for folder in ("docs", "core", "assets", "tests"):
+    for folder in ("docs", "core", "assets", "tests", "benchmark"):
         found += sorted(p for p in (tree / folder).rglob("*.md") if "corpus" not in p.parts)
     return found
 

@@ -125,6 +125,17 @@ TEST_P(CholeskyTest, AnOrderingServesAnotherPatternOfTheSameSize) {
   EXPECT_NEAR(x[1], 0.25, 1e-15);
 }
 
+TEST_P(CholeskyTest, AnOrderingOfAnotherSizeIsNotKept) {
+  Cholesky cholesky;
+  cholesky.analyze(ring(GetParam() + 3, 1));
+  const SparseSymmetric m = ring(GetParam(), 1);
+  cholesky.analyze(m, true);
+  ASSERT_TRUE(cholesky.factorize(m));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  ASSERT_EQ(cholesky.solve(b).size(), b.size());
+  EXPECT_LT(residual(m, 0, cholesky.solve(b), b), 1e-12);
+}
+
 TEST_P(CholeskyTest, ACopyHasTheFactor) {
   const SparseSymmetric m = ring(GetParam(), 1);
   Cholesky cholesky;

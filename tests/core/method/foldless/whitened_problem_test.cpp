@@ -43,6 +43,16 @@ TEST(WhitenedProblem, SeesAStretchedSquareAsASquareAgain) {
   EXPECT_NEAR(right.dot(up) / up.squaredNorm(), 0, 1e-9);
 }
 
+TEST(WhitenedProblem, ItsTargetsGoWithItsMesh) {
+  const Problem problem = under(stretch(300), test::held_grid({{40, {0.05, 0.02}}}));
+  const auto whitened = whitened_problem(problem);
+  ASSERT_TRUE(whitened);
+  for (std::size_t i = 0; i < problem.handles.size(); ++i)
+    EXPECT_LT(
+        (whitened->problem.handles[i].target - whitened->map * problem.handles[i].target).norm(),
+        1e-12);
+}
+
 TEST(WhitenedProblem, IsThereOnlyForMeshesThatAreTwentyTimesAsLongAsWide) {
   const Problem square = test::held_grid({{40, {0.05, 0.02}}});
   EXPECT_FALSE(whitened_problem(square));

@@ -1,0 +1,137 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# sweep_test.sh killed|parallel|slurm TREE BUILD: a sweep in eight shards gives the rows of one run, when
+#   killed    two of the shards of 256 scenes are killed at their work and begun again;
+#   parallel  GNU parallel makes them, with the lines of docs/sweeps.md as they are pasted, of fewer scenes;
+#   slurm     a Slurm array does, of a cluster of this machine alone, which is begun here and ended.
+# Status 77: the engine is not installed.
+set -euo pipefail
+mode=$1 tree=$2
+export PATH=$3:$PATH
+work=$(mktemp -d)
+cd "$work"
+
+end_slurm() {
+  local daemon
+  for daemon in slurmctld slurmd munged; do
+    [ ! -s "run/$daemon.pid" ] || kill "$(cat "run/$daemon.pid")" 2>/dev/null || true
+  done
+}
+trap 'end_slurm; rm -rf "$work"' EXIT
+
+skip_without() {
+  local name
+  for name in "$@"; do
+    PATH=$PATH:/usr/sbin command -v "$name" >/dev/null || {
+      echo "SKIPPED: $name is not installed"
+      exit 77
+    }
+  done
+}
+
+# rows_of FOLDER: results.json without what differs from run to run.
+rows_of() {
+  python3 -c "import json, sys
+for row in json.load(open(sys.argv[1] + '/results.json')):
+    print(json.dumps({k: v for k, v in row.items() if k != 'seconds'}))" "$1"
+}
+
+# expect_same ARGUMENT...: tables/ has the rows of the sweep of these arguments in one run.
+expect_same() {
+  foldless bench --suite random "$@" -o whole >/dev/null
+  rows_of whole >whole.rows
+  rows_of tables >tables.rows
+  [ "$(wc -l <whole.rows)" -ge 16 ] || { echo "there are hardly rows" && exit 1; }
+  diff whole.rows tables.rows
+}
+
+# block_of N: the N-th block for a shell in the page, of eight scenes and two methods.
+few=(--count 8 --method foldless,lim --time-limit 600)
+block_of() {
+  awk -v n="$1" '/^```$/ { on = 0 } on { print } /^```sh$/ { on = ++i == n }' "$tree/docs/sweeps.md" |
+    sed "s/--count 256/${few[*]}/"
+}
+
+killed() {
+  # Every sixth scene is an easy one.
+  local sweep=(--seed 5 --count 1536 --only "$(seq --separator=, 0 6 1530)" --method foldless) shard processes=()
+  make() { foldless bench --suite random "${sweep[@]}" --shard "$1/8" --append "$1.jsonl" >/dev/null; }
+  for shard in 1 2; do
+    foldless bench --suite random "${sweep[@]}" --shard "$shard/8" --append "$shard.jsonl" >/dev/null &
+    processes+=($!)
+  done
+  for shard in 1 2; do
+    until [ -s "$shard.jsonl" ]; do sleep 0.01; done
+  done
+  kill -KILL "${processes[@]}"
+  wait "${processes[@]}" 2>/dev/null || true
+  for shard in 1 2; do
+    [ "$(wc -l <"$shard.jsonl")" -lt 32 ] || { echo "shard $shard had ended before it was killed" && exit 1; }
+  done
+  for shard in {1..8}; do make "$shard" 2>/dev/null; done
+  foldless bench --merge ?.jsonl -o tables >/dev/null 2>notes
+  [ ! -s notes ] || { cat notes && exit 1; }
+  expect_same "${sweep[@]}"
+  [ "$(wc -l <tables.rows)" -eq 256 ]
+}
+
+parallel_() {
+  skip_without parallel
+  block_of 2 >sweep.sh
+  grep --quiet 'parallel foldless' sweep.sh
+  HOME=$work bash -e sweep.sh >/dev/null 2>&1
+  expect_same "${few[@]}"
+}
+
+begin_slurm() {
+  local host user
+  host=$(hostname -s) user=$(id -un)
+  mkdir run state spool
+  head --bytes=1024 /dev/urandom >munge.key
+  chmod 400 munge.key
+  munged --force --key-file="$work/munge.key" --socket="$work/run/munge.socket" --pid-file="$work/run/munged.pid" \
+    --log-file="$work/run/munged.log" --seed-file="$work/run/seed"
+  cat >slurm.conf <<END
+ClusterName=one
+SlurmctldHost=$host(127.0.0.1)
+SlurmUser=$user
+SlurmdUser=$user
+AuthType=auth/munge
+AuthInfo=socket=$work/run/munge.socket
+CredType=cred/munge
+StateSaveLocation=$work/state
+SlurmdSpoolDir=$work/spool
+SlurmctldPidFile=$work/run/slurmctld.pid
+SlurmdPidFile=$work/run/slurmd.pid
+SlurmctldLogFile=$work/run/slurmctld.log
+SlurmdLogFile=$work/run/slurmd.log
+SlurmctldPort=$((20000 + $$ % 20000))
+SlurmdPort=$((40000 + $$ % 20000))
+ProctrackType=proctrack/pgid
+TaskPlugin=task/none
+SwitchType=switch/none
+MpiDefault=none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
+PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+END
+  export SLURM_CONF=$work/slurm.conf
+  slurmctld -c
+  slurmd -c
+}
+
+slurm() {
+  PATH=$PATH:/usr/sbin
+  skip_without munged slurmctld slurmd sbatch
+  begin_slurm
+  block_of 3 >sweep.sh
+  grep --quiet '^#SBATCH --array=1-8$' sweep.sh
+  timeout 120 sbatch --wait sweep.sh >/dev/null || { tail run/*.log slurm-*.out && exit 1; }
+  foldless bench --merge ?.jsonl -o tables >/dev/null
+  expect_same "${few[@]}"
+}
+
+case $mode in parallel) parallel_ ;; killed | slurm) "$mode" ;; esac
