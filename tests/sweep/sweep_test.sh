@@ -4,7 +4,7 @@
 #   killed    two of the shards of 256 scenes are killed at their work and begun again;
 #   parallel  GNU parallel makes them, with the lines of docs/sweeps.md as they are pasted, of fewer scenes;
 #   slurm     a Slurm array does, of a cluster of this machine alone, which is begun here and ended.
-# Status 77: the engine is not installed.
+# Status 77: the engine is not installed, or does not begin here.
 set -euo pipefail
 mode=$1 tree=$2
 export PATH=$3:$PATH
@@ -119,14 +119,24 @@ NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 END
   export SLURM_CONF=$work/slurm.conf
-  slurmctld -c
-  slurmd -c
+  slurmctld -c && slurmd -c || return
+  local second
+  for second in {1..20}; do
+    [ "$(sinfo --noheader --format=%T 2>/dev/null)" != idle ] || return 0
+    sleep 1
+  done
+  return 1
 }
 
 slurm() {
   PATH=$PATH:/usr/sbin
   skip_without munged slurmctld slurmd sbatch
-  begin_slurm
+  # A machine that lends neither ports nor process groups has no cluster on it.
+  begin_slurm || {
+    tail --lines=3 run/*.log
+    echo "SKIPPED: no cluster could be begun here"
+    exit 77
+  }
   block_of 3 >sweep.sh
   grep --quiet '^#SBATCH --array=1-8$' sweep.sh
   timeout 120 sbatch --wait sweep.sh >/dev/null || { tail run/*.log slurm-*.out && exit 1; }
