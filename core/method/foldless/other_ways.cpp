@@ -28,8 +28,13 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
       transport_plans(starts, targets, faces <= kLargestInManyOrders ? kRandomOrders : 0);
 
   std::vector<Way> ways;
+  const auto add_cut = [&](KnownBoundary boundary) {
+    if (has_disks_to_cut(rest, constraints, boundary))
+      ways.push_back({.kind = Way::Kind::cut, .boundary = boundary});
+  };
   if (with_approach) ways.push_back({.kind = Way::Kind::approach});
   for (std::size_t i = 0; i < first; ++i) ways.push_back({.plan = plans[i]});
+  add_cut(KnownBoundary::held);
   for (const bool is_refined : {false, true})
     ways.push_back({.kind = Way::Kind::onwards, .is_refined = is_refined});
   for (std::size_t i = first; i < plans.size(); ++i)
@@ -37,10 +42,12 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
   if (faces <= kLargestRefined)
     for (const TransportPlan& plan : plans)
       ways.push_back({.plan = plan, .is_refined = true, .goes_in_rounds = true});
+  add_cut(KnownBoundary::at_rest);
   return ways;
 }
 
-// A transport that locks nearer to the targets than anything before goes on as an approach.
+// A transport that locks nearer to the targets than anything before goes on as an approach. What
+// comes after a cut that arrives takes seconds and hardly ever arrives as well.
 Steps<Progress> OtherWays::try_next(Workspace& work) {
   if (!ways_) ways_ = other_ways(mesh_, work.constraints, with_approach_);
   const Way& way = (*ways_)[next_++];
@@ -50,18 +57,20 @@ Steps<Progress> OtherWays::try_next(Workspace& work) {
   if (way.kind != Way::Kind::onwards) other.set_mesh({mesh_.triangles(), mesh_.rest()});
   if (way.is_refined) other.refine();
   Progress progress = co_await go(way, other);
-  const bool is_transport = way.kind != Way::Kind::approach;
+  const bool is_transport = way.kind == Way::Kind::transport || way.kind == Way::Kind::onwards;
   if (progress == Progress::locked && is_transport) {
     if (!nearest_ || other.error() < nearest_->error()) nearest_ = other;
     if (other.error() < work.error()) progress = co_await approach(other, FactorUse::own);
   }
   if (progress == Progress::arrived || other.error() < work.error()) work = std::move(other);
+  if (progress == Progress::arrived && way.kind == Way::Kind::cut) next_ = ways_->size();
   co_return progress;
 }
 
 Steps<Progress> OtherWays::go(const Way& way, Workspace& work) {
   if (way.kind == Way::Kind::approach) return approach(work, FactorUse::own);
   if (way.kind == Way::Kind::onwards) return transport_onwards(work);
+  if (way.kind == Way::Kind::cut) return cut_to_handles(work, way.boundary);
   return way.goes_in_rounds ? transport_in_rounds(work, way.plan) : transport(work, way.plan);
 }
 

@@ -43,23 +43,38 @@ TEST(OtherWays, ComeInTheirOrder) {
   const std::vector<Way> ways = ways_of(own.work);
   const std::size_t first = plans_of(own.work, 0).size();
   const std::vector<TransportPlan> plans = plans_of(own.work, kRandomOrders);
-  ASSERT_EQ(ways.size(), first + 2 + kRandomOrders + plans.size());
+  ASSERT_EQ(ways.size(), first + 3 + kRandomOrders + plans.size());
   for (std::size_t i = 0; i < first; ++i) {
     EXPECT_TRUE(is_plain_transport(ways[i])) << i;
     EXPECT_EQ(ways[i].plan.groups, plans[i].groups) << i;
   }
-  for (const std::size_t i : {first, first + 1}) {
+  EXPECT_EQ(ways[first].kind, Kind::cut);
+  EXPECT_EQ(ways[first].boundary, KnownBoundary::held);
+  for (const std::size_t i : {first + 1, first + 2}) {
     EXPECT_EQ(ways[i].kind, Kind::onwards);
-    EXPECT_EQ(ways[i].is_refined, i == first + 1);
+    EXPECT_EQ(ways[i].is_refined, i == first + 2);
   }
-  for (std::size_t i = first + 2; i < ways.size(); ++i) {
-    const bool is_refined = i >= first + 2 + kRandomOrders;
-    const std::size_t plan = is_refined ? i - first - 2 - kRandomOrders : i - 2;
+  for (std::size_t i = first + 3; i < ways.size(); ++i) {
+    const bool is_refined = i >= first + 3 + kRandomOrders;
+    const std::size_t plan = is_refined ? i - first - 3 - kRandomOrders : i - 3;
     EXPECT_EQ(ways[i].kind, Kind::transport) << i;
     EXPECT_TRUE(ways[i].goes_in_rounds) << i;
     EXPECT_EQ(ways[i].is_refined, is_refined) << i;
     EXPECT_EQ(ways[i].plan.groups, plans[plan].groups) << i;
   }
+}
+
+TEST(OtherWays, EndWithACutWhereABoundaryIsFree) {
+  const test::OwnWorkspace own = test::held_frame(1);
+  std::vector<Handle> handles;
+  for (int i = own.work.constraints.count() - 4; i < own.work.constraints.count(); ++i)
+    handles.push_back({.id = i,
+                       .vertex = own.work.constraints.vertices[static_cast<std::size_t>(i)],
+                       .target = own.work.constraints.targets.col(i)});
+  const std::vector<Way> ways = other_ways(own.work.mesh, constraints_of(handles), false);
+  EXPECT_EQ(std::ranges::count(ways, Kind::cut, &Way::kind), 1);
+  EXPECT_EQ(ways.back().kind, Kind::cut);
+  EXPECT_EQ(ways.back().boundary, KnownBoundary::at_rest);
 }
 
 TEST(OtherWays, OfALargeMeshAreFewer) {
