@@ -13,10 +13,6 @@ namespace {
 
 /// Polygons with more corners keep the triangles that slits left them, which cross oftener.
 constexpr int kMostCornersTriangulated = 1000;
-/// Of polygons with at most so many corners,
-constexpr int kMostCornersCompared = 100;
-/// so many ways are compared, of which the one with the fewest vertices is taken.
-constexpr int kWaysCompared = 4;
 
 /// The banks of slits glued together.
 MeshPair glued(const MeshPair& slit, const SlitDisks& disks) {
@@ -37,7 +33,7 @@ MeshPair glued(const MeshPair& slit, const SlitDisks& disks) {
 }  // namespace
 
 std::optional<MeshPair> with_pinned_disk(const MeshPair& mesh, const PinnedVertices& pinned,
-                                         const Points& targets) {
+                                         const Points& targets, int choice) {
   const auto& [loop, inside] = pinned;
   const auto corners = static_cast<Eigen::Index>(loop.size());
   if (corners > kMostCornersOfADisk) return std::nullopt;
@@ -46,18 +42,13 @@ std::optional<MeshPair> with_pinned_disk(const MeshPair& mesh, const PinnedVerti
   const std::vector<SlitDisks> ways =
       slit_open({mesh.rest()(Eigen::all, loop), mesh.rest()(Eigen::all, inside)},
                 {targets.leftCols(corners), targets.rightCols(targets.cols() - corners)});
-  std::optional<MeshPair> fewest;
-  int compared = 0;
-  for (const SlitDisks& disks : ways) {
-    const int most_compared = disks.rest.cols() > kMostCornersCompared ? 1 : kWaysCompared;
-    if (fewest && ++compared >= most_compared) break;
-    const std::optional<MeshPair> slit = compatible_triangulation(disks, kMostCornersTriangulated);
-    if (!slit || (fewest && slit->vertex_count() >= fewest->vertex_count())) continue;
-    std::optional<MeshPair> whole = filled(glued(*slit, disks), vertices, mesh);
-    if (whole && (!fewest || whole->vertex_count() < fewest->vertex_count()))
-      fewest = std::move(whole);
+  for (std::size_t way = static_cast<std::size_t>(choice); way < ways.size(); ++way) {
+    const auto slit = compatible_triangulation(ways[way], kMostCornersTriangulated);
+    if (!slit) continue;
+    std::optional<MeshPair> whole = filled(glued(*slit, ways[way]), vertices, mesh);
+    if (whole) return whole;
   }
-  return fewest;
+  return std::nullopt;
 }
 
 }  // namespace foldless

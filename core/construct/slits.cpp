@@ -156,6 +156,8 @@ std::vector<SlitDisks> slit_open(const DottedDisk& rest, const DottedDisk& defor
     if (cutting.cut_all()) ways.push_back(cutting.slit_disks());
   }
   std::ranges::stable_sort(ways, {}, &SlitDisks::length);
+  const auto again = std::ranges::unique(ways, {}, &SlitDisks::length);
+  ways.erase(again.begin(), again.end());
   return ways;
 }
 

@@ -93,9 +93,9 @@ std::vector<PinnedHandles> disks_to_cut(const MeshPair& rest, const Constraints&
   return disks;
 }
 
-std::optional<MeshPair> cut(MeshPair mesh, const std::vector<PinnedHandles>& disks) {
+std::optional<MeshPair> cut(MeshPair mesh, const std::vector<PinnedHandles>& disks, int choice) {
   for (const auto& [vertices, targets] : disks) {
-    std::optional<MeshPair> next = with_pinned_disk(mesh, vertices, targets);
+    std::optional<MeshPair> next = with_pinned_disk(mesh, vertices, targets, choice);
     if (!next) return std::nullopt;
     mesh = *std::move(next);
   }
@@ -126,12 +126,12 @@ bool has_disks_to_cut(const MeshPair& rest, const Constraints& constraints,
   return !cutting::disks_to_cut(rest, constraints, boundary).empty();
 }
 
-Steps<Progress> cut_to_handles(Workspace& work, KnownBoundary boundary) {
+Steps<Progress> cut_to_handles(Workspace& work, KnownBoundary boundary, int choice) {
   using namespace cutting;
   Workspace other = work;
   const auto build = [&](const std::stop_token&) {
     std::optional<MeshPair> mesh =
-        cut(work.mesh, disks_to_cut(work.mesh, work.constraints, boundary));
+        cut(work.mesh, disks_to_cut(work.mesh, work.constraints, boundary), choice);
     if (!mesh) return VertexUpdate{};
     other.system.effort().splits += mesh->vertex_count() - work.mesh.vertex_count();
     other.set_mesh(*std::move(mesh));

@@ -20,7 +20,8 @@ bool has_disks_to_cut(const MeshPair& rest, const Constraints& constraints, Know
 /// get a map that has their handles on their targets, made by with_pinned_disk(), whatever was in
 /// the way, and are opened up while vertices that nobody needs go. Handles elsewhere are then
 /// carried and approached as always. Locks where rounding is in the way, a triangle leaves the
-/// feasible set, or handles elsewhere lock. Precondition: `work` is at rest.
-Steps<Progress> cut_to_handles(Workspace& work, KnownBoundary boundary);
+/// feasible set, or handles elsewhere lock. `choice`: of the class of maps, see with_pinned_disk().
+/// Precondition: `work` is at rest.
+Steps<Progress> cut_to_handles(Workspace& work, KnownBoundary boundary, int choice = 0);
 
 }  // namespace foldless

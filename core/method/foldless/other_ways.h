@@ -22,13 +22,14 @@ struct Way {
   bool is_refined = false;                       ///< on a mesh whose edges were all split
   bool goes_in_rounds = false;                   ///< a transport that goes on where it locks
   KnownBoundary boundary = KnownBoundary::held;  ///< of what is cut
+  int choice = 0;                                ///< of the class of maps of a cut
 };
 
 /// What is tried, in this order: an approach where none has begun at rest; transports, as
-/// transport_plans() has them; a cut of disks with a held boundary; on from the nearest place where
-/// a transport locked, on the mesh as it is and on a refined one; transports in random orders, in
-/// rounds; of a small mesh, all of the transports on a refined one; and a cut of disks whose
-/// boundary is free. `rest` is where ways begin.
+/// transport_plans() has them; cuts of disks with a held boundary, of four classes; on from the
+/// nearest place where a transport locked, on the mesh as it is and on a refined one; transports in
+/// random orders, in rounds; of a small mesh, all of the transports on a refined one; and a cut of
+/// disks whose boundary is free. `rest` is where ways begin.
 std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints,
                             bool with_approach);
 
@@ -40,14 +41,15 @@ class OtherWays {
   OtherWays(const MeshPair& mesh, bool with_approach)
       : mesh_(mesh), with_approach_(with_approach) {}
 
-  /// Also after a cut that arrived.
   bool have_ended() const { return ways_ && next_ == ways_->size(); }
   /// Tries the next way, from which `work` becomes its mesh where it arrives, and where it locks
-  /// nearer to the targets. Precondition: they have not ended.
+  /// nearer to the targets. After a cut that arrives only cuts are left. Precondition: they have
+  /// not ended.
   Steps<Progress> try_next(Workspace& work);
 
  private:
   Steps<Progress> go(const Way& way, Workspace& work);
+  void leave_only_cuts();
 
   const MeshPair& mesh_;
   bool with_approach_;

@@ -47,6 +47,17 @@ TEST(PinnedDisk, BringsEightVerticesToEachOthersPlacesInAnyOrder) {
   }
 }
 
+TEST(PinnedDisk, OtherChoicesLeadToOtherMaps) {
+  const PinnedDisk disk = test::permuted_disk(2, 5);
+  const auto first = with_pinned_disk(disk.mesh, disk.pinned, disk.targets);
+  const auto second = with_pinned_disk(disk.mesh, disk.pinned, disk.targets, 1);
+  ASSERT_TRUE(first && second);
+  expect_pinned(*second, disk);
+  EXPECT_NE(first->deformed().leftCols(disk.mesh.vertex_count()),
+            second->deformed().leftCols(disk.mesh.vertex_count()));
+  EXPECT_FALSE(with_pinned_disk(disk.mesh, disk.pinned, disk.targets, 1000));
+}
+
 TEST(PinnedDisk, TheBoundaryMayGoToAnotherPolygon) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

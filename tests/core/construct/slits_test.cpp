@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "core/construct/compatible_triangulation.h"
 #include "core/mesh/orientation.h"
 #include "tests/support/pinned_disks.h"
 
@@ -65,6 +67,18 @@ TEST(Slits, ShortOnesComeFirstAndPointsThatStayGetStraightOnes) {
   for (const SlitDisks& disks : slit_open(rest, rest)) {
     EXPECT_EQ(disks.rest, disks.deformed);
     EXPECT_EQ(disks.vertex_count, rest.outline.cols() + rest.inside.cols()) << "no bends";
+  }
+}
+
+TEST(Slits, PolygonsAreTriangulatedAnewSoThatFewerChordsCross) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const auto [rest, deformed] = dotted_disks(seed, 6);
+    const SlitDisks disks = slit_open(rest, deformed).front();
+    const auto as_given = compatible_triangulation(disks, 0);
+    const auto anew = compatible_triangulation(disks, 1000);
+    ASSERT_TRUE(as_given && anew);
+    EXPECT_LT(2 * anew->vertex_count(), as_given->vertex_count());
   }
 }
 
