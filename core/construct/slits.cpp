@@ -156,8 +156,10 @@ std::vector<SlitDisks> slit_open(const DottedDisk& rest, const DottedDisk& defor
     if (cutting.cut_all()) ways.push_back(cutting.slit_disks());
   }
   std::ranges::stable_sort(ways, {}, &SlitDisks::length);
-  const auto again = std::ranges::unique(ways, {}, &SlitDisks::length);
-  ways.erase(again.begin(), again.end());
+  const auto are_equal = [](const SlitDisks& a, const SlitDisks& b) {
+    return a.length == b.length;
+  };
+  ways.erase(std::unique(ways.begin(), ways.end(), are_equal), ways.end());
   return ways;
 }
 

@@ -121,9 +121,11 @@ Steps<> open_and_thin_out(Workspace& work) {
 
 }  // namespace cutting
 
-bool has_disks_to_cut(const MeshPair& rest, const Constraints& constraints,
-                      KnownBoundary boundary) {
-  return !cutting::disks_to_cut(rest, constraints, boundary).empty();
+int handles_to_cut(const MeshPair& rest, const Constraints& constraints, KnownBoundary boundary) {
+  std::size_t count = 0;
+  for (const cutting::PinnedHandles& disk : cutting::disks_to_cut(rest, constraints, boundary))
+    count += disk.vertices.inside.size();
+  return static_cast<int>(count);
 }
 
 Steps<Progress> cut_to_handles(Workspace& work, KnownBoundary boundary, int choice) {

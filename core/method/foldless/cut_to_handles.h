@@ -12,9 +12,9 @@ enum class KnownBoundary {
   at_rest  ///< also others: what is not held stays where it is at rest until all handles arrived
 };
 
-/// Whether `rest` has a disk of that kind for which cut_to_handles() would construct a map: with a
-/// handle inside, one off its target, and not too many.
-bool has_disks_to_cut(const MeshPair& rest, const Constraints& constraints, KnownBoundary boundary);
+/// How many handles are inside of disks of that kind for which cut_to_handles() would construct a
+/// map: with one of its handles off its target, and not too many inside.
+int handles_to_cut(const MeshPair& rest, const Constraints& constraints, KnownBoundary boundary);
 
 /// The stage for handles inside of disks that have to make room for each other: disks of that kind
 /// get a map that has their handles on their targets, made by with_pinned_disk(), whatever was in

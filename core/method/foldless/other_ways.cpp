@@ -13,7 +13,8 @@ namespace trying_ways {
 /// seconds then.
 constexpr int kLargestInManyOrders = 5000;
 constexpr int kRandomOrders = 16;
-constexpr int kClassesOfCuts = 4;
+/// Of few handles several classes of maps are constructed, as each takes a second otherwise.
+constexpr int kClassesOfCuts = 4, kMostInManyClasses = 20;
 /// One of so many is refined when nothing else helped.
 constexpr int kLargestRefined = 2000;
 
@@ -30,9 +31,10 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
       transport_plans(starts, targets, faces <= kLargestInManyOrders ? kRandomOrders : 0);
 
   std::vector<Way> ways;
-  const auto add_cuts = [&](KnownBoundary boundary, int count) {
-    if (!has_disks_to_cut(rest, constraints, boundary)) return;
-    for (int choice = 0; choice < count; ++choice)
+  const auto add_cuts = [&](KnownBoundary boundary, int most_classes) {
+    const int handles = handles_to_cut(rest, constraints, boundary);
+    const int classes = handles > kMostInManyClasses ? 1 : most_classes;
+    for (int choice = 0; handles > 0 && choice < classes; ++choice)
       ways.push_back({.kind = Way::Kind::cut, .boundary = boundary, .choice = choice});
   };
   if (with_approach) ways.push_back({.kind = Way::Kind::approach});

@@ -79,20 +79,20 @@ TEST(CutToHandles, HoldsWhatIsFreeOfABoundaryOnlyUntilHandlesHaveArrived) {
 }
 
 TEST(CutToHandles, IsForDisksWithAHandleInsideAndOneOffItsTarget) {
-  const auto has_disks = [](const Problem& problem, KnownBoundary boundary) {
-    return has_disks_to_cut(problem.mesh, constraints_of(problem.handles), boundary);
+  const auto handles = [](const Problem& problem, KnownBoundary boundary) {
+    return handles_to_cut(problem.mesh, constraints_of(problem.handles), boundary);
   };
   const Problem held = permutation(1, 3), partly_free = permutation(1, 3, KnownBoundary::at_rest);
-  EXPECT_TRUE(has_disks(held, KnownBoundary::held));
-  EXPECT_FALSE(has_disks(held, KnownBoundary::at_rest));
-  EXPECT_FALSE(has_disks(partly_free, KnownBoundary::held));
-  EXPECT_TRUE(has_disks(partly_free, KnownBoundary::at_rest));
+  EXPECT_EQ(handles(held, KnownBoundary::held), 3);
+  EXPECT_EQ(handles(held, KnownBoundary::at_rest), 0);
+  EXPECT_EQ(handles(partly_free, KnownBoundary::held), 0);
+  EXPECT_EQ(handles(partly_free, KnownBoundary::at_rest), 3);
   Problem on_target = held, without_inside = held;
   for (Handle& handle : on_target.handles) handle.target = held.mesh.rest().col(handle.vertex);
-  EXPECT_FALSE(has_disks(on_target, KnownBoundary::held));
+  EXPECT_EQ(handles(on_target, KnownBoundary::held), 0);
   without_inside.handles.resize(without_inside.handles.size() - 3);
   without_inside.handles.front().target *= 1.1;
-  EXPECT_FALSE(has_disks(without_inside, KnownBoundary::held));
+  EXPECT_EQ(handles(without_inside, KnownBoundary::held), 0);
 }
 
 TEST(CutToHandles, ReachesWhatNothingElseDoesInARun) {
