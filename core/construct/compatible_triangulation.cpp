@@ -36,11 +36,11 @@ double diagonal_of(const Points& points) {
 /// The two polygons.
 class PolygonPair {
  public:
-  PolygonPair(const Points& rest, const Points& deformed)
+  PolygonPair(const Points& rest, const Points& deformed, StraightBack tips = StraightBack::none)
       : rest_(rest),
         deformed_(deformed),
-        rest_order_(rest),
-        deformed_order_(deformed),
+        rest_order_(rest, tips),
+        deformed_order_(deformed, tips),
         rest_unit_(1 / diagonal_of(rest)),
         deformed_unit_(1 / diagonal_of(deformed)) {}
 
@@ -121,6 +121,22 @@ std::optional<Triangles> triangles_of(const Overlay& overlay, const Points& rest
   return result;
 }
 
+struct TriangulatedPolygon {
+  const Points& corners;
+  Triangles triangles;  ///< i < j < k
+};
+
+std::optional<MeshPair> laid_over(const TriangulatedPolygon& rest,
+                                  const TriangulatedPolygon& deformed) {
+  const Overlay overlay =
+      overlay_of(static_cast<int>(rest.corners.cols()), rest.triangles, deformed.triangles);
+  Points all_rest = with_crossings(rest.corners, overlay, &ChordCrossing::first);
+  Points all_deformed = with_crossings(deformed.corners, overlay, &ChordCrossing::second);
+  const std::optional<Triangles> triangles = triangles_of(overlay, all_rest, all_deformed);
+  if (!triangles) return std::nullopt;
+  return MeshPair(*triangles, std::move(all_rest), std::move(all_deformed));
+}
+
 }  // namespace
 
 bool bounds_disk(const Points& polygon) {
@@ -137,12 +153,19 @@ std::optional<MeshPair> compatible_triangulation(const Points& rest, const Point
   if (!of_deformed) return std::nullopt;
   const std::optional<Triangles> of_rest = polygons.rest_triangles(*of_deformed);
   if (!of_rest) return std::nullopt;
-  const Overlay overlay = overlay_of(polygons.corners(), *of_rest, *of_deformed);
-  Points all_rest = with_crossings(rest, overlay, &ChordCrossing::first);
-  Points all_deformed = with_crossings(deformed, overlay, &ChordCrossing::second);
-  const std::optional<Triangles> triangles = triangles_of(overlay, all_rest, all_deformed);
-  if (!triangles) return std::nullopt;
-  return MeshPair(*triangles, std::move(all_rest), std::move(all_deformed));
+  return laid_over({rest, *of_rest}, {deformed, *of_deformed});
+}
+
+std::optional<MeshPair> compatible_triangulation(const SlitDisks& disks, int most_corners) {
+  TriangulatedPolygon rest{disks.rest, disks.rest_triangles};
+  TriangulatedPolygon deformed{disks.deformed, disks.deformed_triangles};
+  if (disks.rest.cols() <= most_corners) {
+    const PolygonPair polygons(disks.rest, disks.deformed, StraightBack::full_turn);
+    if (const auto triangles = polygons.deformed_triangles()) deformed.triangles = *triangles;
+    if (const auto triangles = polygons.rest_triangles(deformed.triangles))
+      rest.triangles = *triangles;
+  }
+  return laid_over(rest, deformed);
 }
 
 }  // namespace foldless

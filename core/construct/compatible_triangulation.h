@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/construct/slits.h"
 #include "core/mesh/mesh_pair.h"
 
 namespace foldless {
@@ -20,5 +21,10 @@ bool bounds_disk(const Points& polygon);
 /// where it can be. Nothing where a polygon bounds no disk, or where rounding leaves a triangle
 /// that is not positive.
 std::optional<MeshPair> compatible_triangulation(const Points& rest, const Points& deformed);
+
+/// The same for polygons that are disks cut open along slits, and may have full turns at their
+/// tips. Larger ones than `most_corners` are not triangulated anew: their triangles i < j < k are
+/// given.
+std::optional<MeshPair> compatible_triangulation(const SlitDisks& disks, int most_corners);
 
 }  // namespace foldless

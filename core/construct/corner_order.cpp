@@ -37,12 +37,12 @@ class Directions {
 
 }  // namespace
 
-CornerOrder::CornerOrder(const Points& polygon)
+CornerOrder::CornerOrder(const Points& polygon, StraightBack tips)
     : polygon_(polygon), places_(Eigen::MatrixXi::Constant(polygon.cols(), polygon.cols(), -1)) {
-  for (int v = 0; v < corners(); ++v) sort_round(v);
+  for (int v = 0; v < corners(); ++v) sort_round(v, tips);
 }
 
-void CornerOrder::sort_round(int v) {
+void CornerOrder::sort_round(int v, StraightBack tips) {
   const int next = (v + 1) % corners(), previous = (v + corners() - 1) % corners();
   const Vec2 apex = polygon_.col(v), start = polygon_.col(next);
   if (start == apex || polygon_.col(previous) == apex) return;
@@ -54,13 +54,15 @@ void CornerOrder::sort_round(int v) {
   for (int w = 0; w < corners(); ++w)
     if (polygon_.col(w) != apex) others.push_back(w);
   std::ranges::sort(others, [&](int a, int b) { return compare(a, b) < 0; });
+  const bool is_full = tips == StraightBack::full_turn && compare(next, previous) == 0;
+  const auto is_inside = [&](int w) { return is_full || compare(w, previous) < 0; };
   int place = 0;
-  for (std::size_t i = 0; i < others.size() && compare(others[i], previous) < 0; ++i) {
+  for (std::size_t i = 0; i < others.size() && is_inside(others[i]); ++i) {
     if (i > 0 && compare(others[i - 1], others[i]) != 0) ++place;
     if (place > 0) places_(others[i], v) = place;
   }
   places_(next, v) = 0;
-  if (compare(next, previous) < 0) places_(previous, v) = place + 1;
+  if (is_inside(next)) places_(previous, v) = place + 1;
 }
 
 bool CornerOrder::is_piece(int i, int j, int k) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/other_ways.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/method/foldless/approach.h"
@@ -12,6 +13,8 @@ namespace trying_ways {
 /// seconds then.
 constexpr int kLargestInManyOrders = 5000;
 constexpr int kRandomOrders = 16;
+/// Of few handles several classes of maps are constructed, as each takes a second otherwise.
+constexpr int kClassesOfCuts = 4, kMostInManyClasses = 20;
 /// One of so many is refined when nothing else helped.
 constexpr int kLargestRefined = 2000;
 
@@ -28,8 +31,15 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
       transport_plans(starts, targets, faces <= kLargestInManyOrders ? kRandomOrders : 0);
 
   std::vector<Way> ways;
+  const auto add_cuts = [&](KnownBoundary boundary, int most_classes) {
+    const int handles = handles_to_cut(rest, constraints, boundary);
+    const int classes = handles > kMostInManyClasses ? 1 : most_classes;
+    for (int choice = 0; handles > 0 && choice < classes; ++choice)
+      ways.push_back({.kind = Way::Kind::cut, .boundary = boundary, .choice = choice});
+  };
   if (with_approach) ways.push_back({.kind = Way::Kind::approach});
   for (std::size_t i = 0; i < first; ++i) ways.push_back({.plan = plans[i]});
+  add_cuts(KnownBoundary::held, kClassesOfCuts);
   for (const bool is_refined : {false, true})
     ways.push_back({.kind = Way::Kind::onwards, .is_refined = is_refined});
   for (std::size_t i = first; i < plans.size(); ++i)
@@ -37,31 +47,42 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
   if (faces <= kLargestRefined)
     for (const TransportPlan& plan : plans)
       ways.push_back({.plan = plan, .is_refined = true, .goes_in_rounds = true});
+  add_cuts(KnownBoundary::at_rest, 1);
   return ways;
 }
 
-// A transport that locks nearer to the targets than anything before goes on as an approach.
+// A transport that locks nearer to the targets than anything before goes on as an approach. What
+// comes after a cut that arrives takes seconds and hardly ever arrives as well.
 Steps<Progress> OtherWays::try_next(Workspace& work) {
   if (!ways_) ways_ = other_ways(mesh_, work.constraints, with_approach_);
-  const Way& way = (*ways_)[next_++];
+  const Way way = (*ways_)[next_++];
   if (way.kind == Way::Kind::onwards && !nearest_) co_return Progress::locked;
   ++work.system.effort().rounds;
   Workspace other = way.kind == Way::Kind::onwards ? *nearest_ : work;
   if (way.kind != Way::Kind::onwards) other.set_mesh({mesh_.triangles(), mesh_.rest()});
   if (way.is_refined) other.refine();
   Progress progress = co_await go(way, other);
-  const bool is_transport = way.kind != Way::Kind::approach;
+  const bool is_transport = way.kind == Way::Kind::transport || way.kind == Way::Kind::onwards;
   if (progress == Progress::locked && is_transport) {
     if (!nearest_ || other.error() < nearest_->error()) nearest_ = other;
     if (other.error() < work.error()) progress = co_await approach(other, FactorUse::own);
   }
   if (progress == Progress::arrived || other.error() < work.error()) work = std::move(other);
+  if (progress == Progress::arrived && way.kind == Way::Kind::cut) leave_only_cuts();
   co_return progress;
+}
+
+void OtherWays::leave_only_cuts() {
+  const auto next = ways_->begin() + static_cast<std::ptrdiff_t>(next_);
+  const auto left =
+      std::remove_if(next, ways_->end(), [](const Way& way) { return way.kind != Way::Kind::cut; });
+  ways_->erase(left, ways_->end());
 }
 
 Steps<Progress> OtherWays::go(const Way& way, Workspace& work) {
   if (way.kind == Way::Kind::approach) return approach(work, FactorUse::own);
   if (way.kind == Way::Kind::onwards) return transport_onwards(work);
+  if (way.kind == Way::Kind::cut) return cut_to_handles(work, way.boundary, way.choice);
   return way.goes_in_rounds ? transport_in_rounds(work, way.plan) : transport(work, way.plan);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/method/foldless/cut_to_handles.h"
 #include "core/method/foldless/transport.h"
 
 namespace foldless {
@@ -13,18 +14,22 @@ struct Way {
   enum class Kind {
     approach,   ///< from the rest state
     transport,  ///< from the rest state
-    onwards     ///< a transport from where one locked nearest to the targets; without one: nothing
+    onwards,    ///< a transport from where one locked nearest to the targets; without one: nothing
+    cut         ///< a map that is constructed: cut_to_handles()
   };
   Kind kind = Kind::transport;
-  TransportPlan plan = {};      ///< of a transport
-  bool is_refined = false;      ///< on a mesh whose edges were all split
-  bool goes_in_rounds = false;  ///< a transport that goes on where it locks
+  TransportPlan plan = {};                       ///< of a transport
+  bool is_refined = false;                       ///< on a mesh whose edges were all split
+  bool goes_in_rounds = false;                   ///< a transport that goes on where it locks
+  KnownBoundary boundary = KnownBoundary::held;  ///< of what is cut
+  int choice = 0;                                ///< of the class of maps of a cut
 };
 
 /// What is tried, in this order: an approach where none has begun at rest; transports, as
-/// transport_plans() has them; on from the nearest place where one of them locked, on the mesh as
-/// it is and on a refined one; transports in random orders, in rounds; and, of a small mesh, all of
-/// the transports on a refined one. `rest` is where ways begin.
+/// transport_plans() has them; cuts of disks with a held boundary, of four classes where handles
+/// are few; on from the nearest place where a transport locked, on the mesh as it is and on a
+/// refined one; transports in random orders, in rounds; of a small mesh, all of the transports on a
+/// refined one; and a cut of disks whose boundary is free. `rest` is where ways begin.
 std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints,
                             bool with_approach);
 
@@ -38,11 +43,13 @@ class OtherWays {
 
   bool have_ended() const { return ways_ && next_ == ways_->size(); }
   /// Tries the next way, from which `work` becomes its mesh where it arrives, and where it locks
-  /// nearer to the targets. Precondition: they have not ended.
+  /// nearer to the targets. After a cut that arrives only cuts are left. Precondition: they have
+  /// not ended.
   Steps<Progress> try_next(Workspace& work);
 
  private:
   Steps<Progress> go(const Way& way, Workspace& work);
+  void leave_only_cuts();
 
   const MeshPair& mesh_;
   bool with_approach_;

@@ -26,6 +26,18 @@ std::vector<TransportPlan> plans_of(const Workspace& work, int random_orders) {
   return transport_plans(work.handles(), work.constraints.targets, random_orders);
 }
 
+/// A frame for which no map is constructed before handles go on.
+test::OwnWorkspace frame_with_a_free_corner(std::uint64_t seed) {
+  const test::OwnWorkspace held = test::held_frame(seed);
+  const Constraints& all = held.work.constraints;
+  std::vector<Handle> handles;
+  for (int i = 1; i < all.count(); ++i) {
+    const int v = all.vertices[static_cast<std::size_t>(i)];
+    handles.push_back({.id = v, .vertex = v, .target = all.targets.col(i)});
+  }
+  return {held.work.mesh, constraints_of(handles), held.settings};
+}
+
 bool is_plain_transport(const Way& way) {
   return way.kind == Kind::transport && !way.is_refined && !way.goes_in_rounds;
 }
@@ -43,23 +55,61 @@ TEST(OtherWays, ComeInTheirOrder) {
   const std::vector<Way> ways = ways_of(own.work);
   const std::size_t first = plans_of(own.work, 0).size();
   const std::vector<TransportPlan> plans = plans_of(own.work, kRandomOrders);
-  ASSERT_EQ(ways.size(), first + 2 + kRandomOrders + plans.size());
+  ASSERT_EQ(ways.size(), first + 6 + kRandomOrders + plans.size());
   for (std::size_t i = 0; i < first; ++i) {
     EXPECT_TRUE(is_plain_transport(ways[i])) << i;
     EXPECT_EQ(ways[i].plan.groups, plans[i].groups) << i;
   }
-  for (const std::size_t i : {first, first + 1}) {
-    EXPECT_EQ(ways[i].kind, Kind::onwards);
-    EXPECT_EQ(ways[i].is_refined, i == first + 1);
+  for (std::size_t i = first; i < first + 4; ++i) {
+    EXPECT_EQ(ways[i].kind, Kind::cut);
+    EXPECT_EQ(ways[i].boundary, KnownBoundary::held);
+    EXPECT_EQ(ways[i].choice, static_cast<int>(i - first));
   }
-  for (std::size_t i = first + 2; i < ways.size(); ++i) {
-    const bool is_refined = i >= first + 2 + kRandomOrders;
-    const std::size_t plan = is_refined ? i - first - 2 - kRandomOrders : i - 2;
+  for (const std::size_t i : {first + 4, first + 5}) {
+    EXPECT_EQ(ways[i].kind, Kind::onwards);
+    EXPECT_EQ(ways[i].is_refined, i == first + 5);
+  }
+  for (std::size_t i = first + 6; i < ways.size(); ++i) {
+    const bool is_refined = i >= first + 6 + kRandomOrders;
+    const std::size_t plan = is_refined ? i - first - 6 - kRandomOrders : i - 6;
     EXPECT_EQ(ways[i].kind, Kind::transport) << i;
     EXPECT_TRUE(ways[i].goes_in_rounds) << i;
     EXPECT_EQ(ways[i].is_refined, is_refined) << i;
     EXPECT_EQ(ways[i].plan.groups, plans[plan].groups) << i;
   }
+}
+
+TEST(OtherWays, EndWithACutWhereABoundaryIsFree) {
+  const test::OwnWorkspace own = test::held_frame(1);
+  std::vector<Handle> handles;
+  for (int i = own.work.constraints.count() - 4; i < own.work.constraints.count(); ++i)
+    handles.push_back({.id = i,
+                       .vertex = own.work.constraints.vertices[static_cast<std::size_t>(i)],
+                       .target = own.work.constraints.targets.col(i)});
+  const std::vector<Way> ways = other_ways(own.work.mesh, constraints_of(handles), false);
+  EXPECT_EQ(std::ranges::count(ways, Kind::cut, &Way::kind), 1);
+  EXPECT_EQ(ways.back().kind, Kind::cut);
+  EXPECT_EQ(ways.back().boundary, KnownBoundary::at_rest);
+}
+
+TEST(OtherWays, AfterACutThatArrivesOnlyCutsAreLeft) {
+  int arrived = 0;
+  for (std::uint64_t seed = 1; seed <= 30 && arrived == 0; ++seed) {
+    test::OwnWorkspace own = test::held_frame(seed);
+    const MeshPair rest = own.work.mesh;
+    const std::vector<Way> all = ways_of(own.work);
+    OtherWays ways(rest, false);
+    for (std::size_t i = 0; all[i].kind != Kind::onwards; ++i) {
+      const Progress progress = test::run_to_the_end(ways.try_next(own.work));
+      if (progress != Progress::arrived) continue;
+      if (all[i].kind != Kind::cut) break;
+      ++arrived;
+      while (all[++i].kind == Kind::cut) test::run_to_the_end(ways.try_next(own.work));
+      EXPECT_TRUE(ways.have_ended());
+      break;
+    }
+  }
+  EXPECT_EQ(arrived, 1) << "the claim would be empty";
 }
 
 TEST(OtherWays, OfALargeMeshAreFewer) {
@@ -82,7 +132,7 @@ TEST(OtherWays, KeepTheNearestMeshOnShowAndGoOnFromTheNearestLockOfATransport) {
   int farther = 0, went_on = 0, not_the_last = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    test::OwnWorkspace own = test::held_frame(seed);
+    test::OwnWorkspace own = frame_with_a_free_corner(seed);
     Workspace& work = own.work;
     const MeshPair rest = work.mesh;
     const std::vector<Way> all = ways_of(work);

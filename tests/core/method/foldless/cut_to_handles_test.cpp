@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/cut_to_handles.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/method/foldless/foldless_scenes.h"
+#include "tests/core/method/foldless/stage_runner.h"
+#include "tests/core/method/foldless/workspaces.h"
+#include "tests/support/pinned_disks.h"
+
+namespace foldless {
+namespace {
+
+using test::OwnWorkspace;
+
+/// A disk with handles inside that change places, its boundary held or, of every second vertex,
+/// free.
+Problem permutation(std::uint64_t seed, int inside, KnownBoundary boundary = KnownBoundary::held) {
+  const test::PinnedDisk disk = test::permuted_disk(seed, inside);
+  Problem problem{disk.mesh, find_density("arap"), {}, {}};
+  std::vector<int> vertices = disk.pinned.loop;
+  vertices.insert(vertices.end(), disk.pinned.inside.begin(), disk.pinned.inside.end());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (boundary == KnownBoundary::held || i >= disk.pinned.loop.size() || i % 2 == 0)
+      problem.handles.push_back({.id = static_cast<int>(i) + 1,
+                                 .vertex = vertices[i],
+                                 .target = disk.targets.col(static_cast<Eigen::Index>(i))});
+  return problem;
+}
+
+TEST(CutToHandles, ArrivesWhereTwoHandlesChangePlaces) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = test::workspace_of(permutation(seed, 2));
+    ASSERT_EQ(test::run_to_the_end(cut_to_handles(own.work, KnownBoundary::held)),
+              Progress::arrived);
+    EXPECT_TRUE(test::is_valid(own.work.mesh));
+    EXPECT_EQ(own.work.handles(), own.work.constraints.targets);
+  }
+}
+
+TEST(CutToHandles, ArrivesInAnyPermutationOfEightAndKeepsFewOfTheVerticesThatItMade) {
+  int made = 0, kept = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = test::workspace_of(permutation(seed, 8));
+    const int before = own.work.mesh.vertex_count();
+    ASSERT_EQ(test::run_to_the_end(cut_to_handles(own.work, KnownBoundary::held)),
+              Progress::arrived);
+    EXPECT_TRUE(test::is_valid(own.work.mesh));
+    EXPECT_EQ(own.work.handles(), own.work.constraints.targets);
+    made += own.effort.splits;
+    kept += own.work.mesh.vertex_count() - before;
+  }
+  EXPECT_LT(3 * kept, 2 * made) << kept << " of " << made;
+}
+
+TEST(CutToHandles, LeavesTheMeshAsItWasWhereATargetIsOutsideOfTheHeldBoundary) {
+  Problem problem = permutation(1, 2);
+  problem.handles.back().target = Vec2(1.2, 0);
+  OwnWorkspace own = test::workspace_of(problem);
+  EXPECT_EQ(test::run_to_the_end(cut_to_handles(own.work, KnownBoundary::held)), Progress::locked);
+  EXPECT_EQ(own.work.mesh.revision(), problem.mesh.revision());
+  EXPECT_EQ(own.work.mesh.deformed(), problem.mesh.deformed());
+}
+
+TEST(CutToHandles, HoldsWhatIsFreeOfABoundaryOnlyUntilHandlesHaveArrived) {
+  const Problem problem = permutation(1, 4, KnownBoundary::at_rest);
+  OwnWorkspace own = test::workspace_of(problem);
+  ASSERT_EQ(test::run_to_the_end(cut_to_handles(own.work, KnownBoundary::at_rest)),
+            Progress::arrived);
+  EXPECT_TRUE(test::is_valid(own.work.mesh));
+  EXPECT_EQ(own.work.handles(), own.work.constraints.targets);
+  double way = 0;
+  for (int v = 0; v < problem.mesh.vertex_count(); ++v)
+    if (problem.mesh.is_boundary_vertex(v))
+      way = std::max(way, (own.work.mesh.deformed().col(v) - problem.mesh.rest().col(v)).norm());
+  EXPECT_GT(way, 1e-4);
+}
+
+TEST(CutToHandles, IsForDisksWithAHandleInsideAndOneOffItsTarget) {
+  const auto handles = [](const Problem& problem, KnownBoundary boundary) {
+    return handles_to_cut(problem.mesh, constraints_of(problem.handles), boundary);
+  };
+  const Problem held = permutation(1, 3), partly_free = permutation(1, 3, KnownBoundary::at_rest);
+  EXPECT_EQ(handles(held, KnownBoundary::held), 3);
+  EXPECT_EQ(handles(held, KnownBoundary::at_rest), 0);
+  EXPECT_EQ(handles(partly_free, KnownBoundary::held), 0);
+  EXPECT_EQ(handles(partly_free, KnownBoundary::at_rest), 3);
+  Problem on_target = held, without_inside = held;
+  for (Handle& handle : on_target.handles) handle.target = held.mesh.rest().col(handle.vertex);
+  EXPECT_EQ(handles(on_target, KnownBoundary::held), 0);
+  without_inside.handles.resize(without_inside.handles.size() - 3);
+  without_inside.handles.front().target *= 1.1;
+  EXPECT_EQ(handles(without_inside, KnownBoundary::held), 0);
+}
+
+TEST(CutToHandles, ReachesWhatNothingElseDoesInARun) {
+  int constructed = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Problem problem = permutation(seed, 8);
+    Foldless method(problem);
+    const std::vector<Iteration> records = test::run_validly(method);
+    test::expect_on_target(method, problem);
+    if (test::phases_of(records).contains(Phase::construct)) ++constructed;
+  }
+  EXPECT_GT(constructed, 0) << "the claim would be empty";
+}
+
+}  // namespace
+}  // namespace foldless
