@@ -122,6 +122,7 @@ PARTS = (("paper", ["--suite", "paper", "--only", "5", "--method", "paper-flip,f
          ("random", ["--suite", "random", "--seed", "701", "--only", "0", "--method", "foldless,paper-flip"], 1),
          ("methods", ["--suite", "random", "--seed", "1", "--only", "0", "--method", "foldless,lim"], 1),
          ("seeds", ["--suite", "random", "--seed", "705", "--only", "0", "--method", "foldless,paper-flip"], 2),
+         ("hard", ["--suite", "hard", "--seed", "1", "--only", "0", "--method", "foldless"], 1),
          ("large", ["--suite", "scale", "--only", "0", "--method", "foldless"], 3),
          ("large-all", ["--suite", "scale", "--only", "0", "--method", "foldless"], 3),
          ("drags", ["--suite", "drag", "--only", "0", "--method", "foldless"], 3),
