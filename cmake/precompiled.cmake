@@ -3,13 +3,9 @@
 # most of the work. foldless_headers serves the libraries, foldless_test_headers the tests. A file
 # still includes what it uses.
 
-# Tests are built more often than they are run, and wait for the libraries, not for themselves. With
-# less optimization GCC follows variants less far and takes what they hold for uninitialized.
+# Tests are built more often than they are run, and wait for the libraries, not for themselves.
 function(foldless_test_options name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-Wno-maybe-uninitialized>)
-  endif()
 endfunction()
 
 # Only a target of the same options can use them: libraries that see CGAL (-frounding-math) can't.
