@@ -3,11 +3,6 @@
 # most of the work. foldless_headers serves the libraries, foldless_test_headers the tests. A file
 # still includes what it uses.
 
-# Tests are built more often than they are run, and wait for the libraries, not for themselves.
-function(foldless_test_options name)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-endfunction()
-
 # Only a target of the same options can use them: libraries that see CGAL (-frounding-math) can't.
 function(foldless_precompiled_headers name)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
@@ -26,5 +21,4 @@ endfunction()
 foldless_precompiled_headers(foldless_headers)
 foldless_relocatable(foldless_headers)
 foldless_precompiled_headers(foldless_test_headers <gtest/gtest.h>)
-foldless_test_options(foldless_test_headers)
 target_link_libraries(foldless_test_headers PRIVATE GTest::gtest_main)
