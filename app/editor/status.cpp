@@ -64,7 +64,7 @@ std::string whole_words(const FramesStatus& frames, const MotionProofStatus& pro
   if (has_all && proof.state == State::proved)
     return "every moment of the animation proved injective";
   std::string all = std::to_string(frames.injective) + " of " + std::to_string(frames.count) +
-                          " frames proved injective";
+                    " frames proved injective";
   if (proof.state == State::running) return all + ", proving the moments between";
   if (proof.state == State::unproved) return all + ", not between: " + proof.problem;
   return all;

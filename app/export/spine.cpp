@@ -148,8 +148,8 @@ SpineText spine_text(const BakedAnimation& animation, const std::vector<GltfPiec
     meshes.push_back(engine_mesh(animation, pieces[i].triangles));
     const std::string region = region_name(name, i, pieces.size());
     names.push_back(json_string(region));
-    const std::string size = std::to_string(pieces[i].image.width) + "," +
-                             std::to_string(pieces[i].image.height);
+    const std::string size =
+        std::to_string(pieces[i].image.width) + "," + std::to_string(pieces[i].image.height);
     result.atlas.append(i > 0 ? "\n" : "")
         .append(region)
         .append(".png\nsize:")

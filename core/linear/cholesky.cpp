@@ -4,6 +4,7 @@
 #include "core/linear/ordering.h"
 #include "core/linear/single_precision_solve.h"
 #include "core/linear/sweep.h"
+#include "core/linear/symbolic_analysis.h"
 #include "core/linear/triangular_solve.h"
 
 namespace foldless {

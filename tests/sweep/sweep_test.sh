@@ -12,9 +12,15 @@ work=$(mktemp -d)
 cd "$work"
 
 end_slurm() {
-  local daemon
+  local daemon pids=()
   for daemon in slurmctld slurmd munged; do
-    [ ! -s "run/$daemon.pid" ] || kill "$(cat "run/$daemon.pid")" 2>/dev/null || true
+    [ ! -s "run/$daemon.pid" ] || pids+=("$(cat "run/$daemon.pid")")
+  done
+  [ ${#pids[@]} -gt 0 ] || return 0
+  kill "${pids[@]}" 2>/dev/null || true
+  # What they still write would come between rm and its folder.
+  for daemon in "${pids[@]}"; do
+    timeout 20 tail --follow --sleep-interval=0.1 --pid="$daemon" /dev/null || kill -KILL "$daemon" 2>/dev/null || true
   done
 }
 trap 'end_slurm; rm -rf "$work"' EXIT

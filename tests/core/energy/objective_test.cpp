@@ -9,8 +9,6 @@
 #include <random>
 #include <vector>
 
-#include "core/energy/densities.h"
-#include "core/threads/team.h"
 #include "tests/support/dense_matrix.h"
 #include "tests/support/finite_difference.h"
 #include "tests/support/meshes.h"
@@ -33,42 +31,6 @@ Points shaken(const Points& rest, unsigned seed) {
   Points u = rest;
   for (Eigen::Index i = 0; i < u.size(); ++i) u.data()[i] += unit(random);
   return u;
-}
-
-TEST(Objective, SumsHaveTheSameBitsWithAnyNumberOfThreads) {
-  const test::Fixture shape = test::square_grid(40);
-  const MeshPair mesh(shape.triangles, shape.rest, shape.rest);
-  const Points u = shaken(shape.rest, 5);
-  Energy energy{{.density = find_density("arap"), .gap_weight = 1e-3}, corner_handles(shape.rest)};
-  energy.constraints.held = true;
-  Team team(3);
-  struct Sums {
-    double value;
-    EnergyGradient first, second;
-    std::vector<double> hessian;
-    Eigen::VectorXd product;
-    double bound;
-  };
-  std::vector<Sums> all;
-  for (Team* asked : {static_cast<Team*>(nullptr), &team}) {
-    const WithTeam with(asked);
-    const Objective objective(mesh, energy.constraints);
-    SparseSymmetric hessian = objective.hessian_pattern();
-    Sums sums{objective.value(energy, u).total(), objective.gradient(energy, u), {}, {}, {}, 0};
-    sums.second = objective.assemble(energy, u, hessian, 0.5);
-    multiply(hessian, sums.second.gradient, sums.product);
-    sums.hessian = hessian.value;
-    sums.bound = objective.largest_step(energy.settings, u, -u);
-    all.push_back(sums);
-  }
-  EXPECT_EQ(all[0].value, all[1].value);
-  EXPECT_EQ(all[0].first.energy.total(), all[1].first.energy.total());
-  EXPECT_EQ(all[0].first.gradient, all[1].first.gradient);
-  EXPECT_EQ(all[0].second.energy.total(), all[1].second.energy.total());
-  EXPECT_EQ(all[0].second.gradient, all[1].second.gradient);
-  EXPECT_EQ(all[0].hessian, all[1].hessian);
-  EXPECT_EQ(all[0].product, all[1].product);
-  EXPECT_EQ(all[0].bound, all[1].bound);
 }
 
 /// Ten times as stiff near the left side of a grid.

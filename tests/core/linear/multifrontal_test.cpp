@@ -13,6 +13,7 @@
 #include "core/linear/ordering.h"
 #include "core/linear/single_precision_solve.h"
 #include "core/linear/sweep.h"
+#include "core/linear/symbolic_analysis.h"
 #include "core/linear/triangular_solve.h"
 #include "core/threads/team.h"
 #include "tests/support/dense_matrix.h"

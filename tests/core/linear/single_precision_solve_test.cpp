@@ -11,6 +11,7 @@
 #include "core/linear/multifrontal.h"
 #include "core/linear/ordering.h"
 #include "core/linear/sweep.h"
+#include "core/linear/symbolic_analysis.h"
 #include "core/linear/triangular_solve.h"
 #include "tests/support/random_symmetric.h"
 

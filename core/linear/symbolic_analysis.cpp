@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/linear/symbolic_factor.h"
+#include "core/linear/symbolic_analysis.h"
 
 #include <algorithm>
 #include <limits>
