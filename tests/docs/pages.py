@@ -29,7 +29,7 @@ DEFINITION = (
     "boundary vertex add up to less than a full turn.")
 SECTIONS = ("Two commands", "Three pictures", "What sets it apart", "On the command line", "From Python", "From C++",
             "Results", "Links")
-SUITES = ("paper", "random", "large", "drags", "seeds", "methods", "large-all", "drags-all")
+SUITES = ("paper", "random", "large", "drags", "seeds", "methods", "hard", "large-all", "drags-all")
 HANDLES = "benchmark/README.md", "handles"
 RECORD = re.compile(r"^\*Record · [^*]*\d [A-Z][a-z]+ 20\d\d · foldless [\d.]+: [^*]+\*$", re.MULTILINE)
 ORIGIN = re.compile(r"^\*(?P<date>\d{4}-\d\d-\d\d) · (?P<machine>.+, \d+ cores) · (?P<version>foldless \S+) · "
