@@ -20,13 +20,12 @@ void count_offender(int index, int& count, std::optional<int>& first) {
   if (!first) first = index;
 }
 
-std::vector<signed char> orientations(const Triangles& triangles, const Points& points) {
-  std::vector<signed char> signs(static_cast<std::size_t>(triangles.cols()));
+std::vector<int> orientations(const Triangles& triangles, const Points& points) {
+  std::vector<int> signs(static_cast<std::size_t>(triangles.cols()));
   constexpr std::ptrdiff_t kTogether = 2048;
   in_ranges(triangles.cols(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     for (std::ptrdiff_t f = begin; f < end; ++f)
-      signs[static_cast<std::size_t>(f)] =
-          static_cast<signed char>(orientation(points, triangles.col(f)));
+      signs[static_cast<std::size_t>(f)] = orientation(points, triangles.col(f));
   });
   return signs;
 }
@@ -69,7 +68,7 @@ InjectivityChecker::InjectivityChecker(Triangles triangles, int vertex_count)
 InjectivityReport InjectivityChecker::check(const Points& points) const {
   assert(static_cast<std::size_t>(points.cols()) == interior_.size());
   InjectivityReport report;
-  const std::vector<signed char> signs = orientations(triangles_, points);
+  const std::vector<int> signs = orientations(triangles_, points);
   std::vector<int> crossings(interior_.size(), 0);
   std::vector<bool> positive(interior_.size(), true), overlaps(interior_.size(), false);
   for (Eigen::Index f = 0; f < triangles_.cols(); ++f) {
