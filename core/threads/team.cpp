@@ -136,6 +136,5 @@ WithTeam::WithTeam(Team* team)
 WithTeam::~WithTeam() { team_of_this_thread = before_; }
 
 Team* present_team() { return team_of_this_thread; }
-int threads_at_work() { return team_of_this_thread ? team_of_this_thread->size() : 1; }
 
 }  // namespace foldless

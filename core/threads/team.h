@@ -75,8 +75,6 @@ class WithTeam {
 /// The team that in_parallel() asks on this thread; null where there is none. Tasks of a team have
 /// none.
 Team* present_team();
-/// How many threads work together on this one's behalf.
-int threads_at_work();
 
 /// Calls task(i) once for every 0 ≤ i < count, by the team of this thread or, without one, in
 /// order.

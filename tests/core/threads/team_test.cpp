@@ -59,11 +59,12 @@ TEST(Team, WhatATaskThrowsArrivesWhenTheOthersAreDone) {
 
 TEST(Team, IsAskedWhereItIsPresentAndByNoTask) {
   EXPECT_EQ(present_team(), nullptr);
-  EXPECT_EQ(threads_at_work(), 1);
+  Team alone(1);
+  EXPECT_EQ((WithTeam(&alone), present_team()), nullptr);
   Team team(2);
   {
     const WithTeam with(&team);
-    EXPECT_EQ(threads_at_work(), 2);
+    EXPECT_EQ(present_team(), &team);
     std::atomic<int> with_a_team = 0;
     in_parallel(50, [&](int) { with_a_team += present_team() != nullptr; });
     EXPECT_EQ(with_a_team, 0);
