@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/offscreen.h"
 
-#include <glad/gl.h>
-// OSMesa's header brings in GL's own declarations, which glad.h has already taken the place of.
-#include <GL/osmesa.h>
-
 #include <array>
 #include <cstdint>
 #include <optional>
 
 #include "core/error.h"
+#include "render/osmesa.h"
 #include "render/render_target.h"
 
 namespace foldless {
 namespace {
 
 struct DestroyContext {
-  void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
+  void operator()(OSMesaContext context) const { osmesa().destroy_context(context); }
 };
 using ContextPointer = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, DestroyContext>;
 
@@ -30,7 +27,7 @@ ContextPointer make_context() {
                                            OSMESA_CONTEXT_MINOR_VERSION,
                                            3,
                                            0};
-  ContextPointer context(OSMesaCreateContextAttribs(kAttributes.data(), nullptr));
+  ContextPointer context(osmesa().create_context_attribs(kAttributes.data(), nullptr));
   if (!context)
     throw Error("OSMesa refuses an OpenGL 3.3 context; install libosmesa6 of Mesa 20 on");
   return context;
@@ -53,15 +50,15 @@ Offscreen::Offscreen(int width, int height, int samples) : context_(std::make_un
 }
 
 Offscreen::~Offscreen() {
-  OSMesaMakeCurrent(context_->mesa.get(), context_->window.data(), GL_UNSIGNED_BYTE, 1, 1);
+  osmesa().make_current(context_->mesa.get(), context_->window.data(), GL_UNSIGNED_BYTE, 1, 1);
   context_->target.reset();
-  OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+  osmesa().make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
 }
 
 void Offscreen::make_current() {
-  if (!OSMesaMakeCurrent(context_->mesa.get(), context_->window.data(), GL_UNSIGNED_BYTE, 1, 1))
+  if (!osmesa().make_current(context_->mesa.get(), context_->window.data(), GL_UNSIGNED_BYTE, 1, 1))
     throw Error("OSMesa cannot make its OpenGL context current");
-  if (gladLoadGL(OSMesaGetProcAddress) == 0)
+  if (gladLoadGL(osmesa().get_proc_address) == 0)
     throw Error("OSMesa offers no OpenGL 3.3; install libosmesa6 of Mesa 20 on");
 }
 

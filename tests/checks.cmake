@@ -126,8 +126,13 @@ if(DPKG_QUERY AND NOT FOLDLESS_SANITIZE)
   add_test(NAME Sbom.NamesWhatIsLinkedAndWhatIsCompiledIn
            COMMAND ${PROJECT_SOURCE_DIR}/scripts/sbom $<TARGET_FILE:foldless>)
   set_tests_properties(Sbom.NamesWhatIsLinkedAndWhatIsCompiledIn PROPERTIES
-    PASS_REGULAR_EXPRESSION "pkg:deb/debian/libamd2@.*pkg:deb/debian/libeigen3-dev@")
+    PASS_REGULAR_EXPRESSION
+    "pkg:deb/debian/libamd2@.*pkg:deb/debian/libeigen3-dev@.*pkg:deb/debian/libosmesa6@")
 endif()
+
+add_test(NAME Mesa.IsLoadedWhereSomethingIsDrawn
+         COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/mesa_test.sh $<TARGET_FILE:foldless>
+                 ${PROJECT_SOURCE_DIR}/assets)
 
 # Sanitizers come with a runtime of their own.
 if(NOT FOLDLESS_SANITIZE)

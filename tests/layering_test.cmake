@@ -84,7 +84,7 @@ may_include("core/[^/]+" "${BASE}|core/mesh/.*|core/api/include/foldless/(error|
 
 # 1. What the renderer and the application may see.
 set(RENDER_OF_CORE "core/(error|handle|iteration|snapshot|data_path|depth/paint_order|files/atomic_file|mesh/(parts|triangle)|outline/alpha_map)\\.h")
-set(GRAPHICS "<(glad/gl|GL/osmesa|imgui)\\.h>|<glm/.*>")
+set(GRAPHICS "<(glad/gl|GL/osmesa|dlfcn|imgui)\\.h>|<glm/.*>")
 may_include("render/.*" "${PLAIN}|${RENDER_OF_CORE}|render/.*|${GRAPHICS}|${IMAGE_CODECS}|<Eigen/.*>")
 set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|image|layered/layered_image|texture_levels|texture_pieces|view_options)\\.h|app/editor/.*")
 may_include("app/editor/.*" "${EDITOR}")
@@ -98,11 +98,12 @@ may_include("app/cli/.*" "${BASE}|<CLI/CLI\\.hpp>|<built_with\\.h>|core/.*|rende
 only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
 only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui belongs to app/gui")
 only_in("app/gui/fallback_fonts\\.cpp" "<fontconfig/" "fontconfig belongs to fallback_fonts")
-only_in("render/offscreen\\.cpp" "<GL/osmesa\\.h>" "OSMesa belongs to offscreen")
+only_in("render/osmesa\\.h" "<GL/osmesa\\.h>" "OSMesa belongs to osmesa.h")
 only_in("core/linear/ordering\\.cpp" "<(amd|cholmod)\\.h>" "SuiteSparse belongs to ordering.cpp")
 only_in("core/linear/(dense_kernels_avx2|single_precision_solve)\\.cpp" "<immintrin\\.h>"
         "instructions of one processor belong to its kernels")
-only_in("core/data_path\\.cpp" "<(dlfcn|link)\\.h>" "the loader belongs to data_path.cpp")
+only_in("core/data_path\\.cpp|render/osmesa\\.cpp" "<(dlfcn|link)\\.h>"
+        "the loader belongs to data_path.cpp and osmesa.cpp")
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")
 only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")
