@@ -49,6 +49,9 @@ expect(runtime bin/foldless share/applications/foldless.desktop
        share/bash-completion/completions/foldless share/doc/foldless/copyright)
 expect(development include/foldless/solve.h include/foldless/version.h
        share/doc/libfoldless-dev/copyright)
+expect(documentation share/doc/foldless/README.md share/doc/foldless/docs/method.md
+       share/doc/foldless/docs/images/limb.webp
+       share/doc/foldless/core/method/remeshing_assisted.cpp)
 if("python" IN_LIST COMPONENTS)
   expect(python lib/python3/dist-packages/foldless/__init__.py
          lib/python3/dist-packages/foldless/py.typed
