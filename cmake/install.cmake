@@ -63,7 +63,7 @@ if(FOLDLESS_PYTHON3)
   install(CODE "
     execute_process(COMMAND ${FOLDLESS_PYTHON3} ${PROJECT_SOURCE_DIR}/tests/docs/links.py
                             ${PROJECT_SOURCE_DIR} --targets
-                    OUTPUT_VARIABLE pages COMMAND_ERROR_IS_FATAL ANY)
+                    OUTPUT_VARIABLE pages OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
     string(REPLACE \"\\n\" \";\" pages \"\${pages}\")
     foreach(page IN LISTS pages)
       get_filename_component(folder \"\${page}\" DIRECTORY)

@@ -87,7 +87,8 @@ add_test(NAME Install.GivesAProgramThatFindsItsData
 if(TARGET foldless_words)
   list(JOIN CPACK_COMPONENTS_ALL "," components)
   add_test(NAME Install.HasEveryFileInOneComponent
-           COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR}
+           COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                   -DBUILD_DIR=${PROJECT_BINARY_DIR} -DPYTHON=${FOLDLESS_PYTHON3}
                    -DCOMPONENTS=${components},documentation
                    -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/components
                    -P ${CMAKE_CURRENT_SOURCE_DIR}/components_test.cmake)
