@@ -72,4 +72,12 @@ if(FOLDLESS_PYTHON3)
     endforeach()" COMPONENT documentation)
 endif()
 
+# All that is installed, for scripts/run and scripts/package: README's programs are for what the first one built.
+add_custom_target(foldless_installed DEPENDS foldless foldless_core)
+foreach(target foldless_python foldless_words)
+  if(TARGET ${target})
+    add_dependencies(foldless_installed ${target})
+  endif()
+endforeach()
+
 include(cmake/debian.cmake)
