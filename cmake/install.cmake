@@ -4,6 +4,7 @@
 #                desktop needs to show it in its menus
 #   development  the library with its headers, for find_package(foldless) and pkg-config
 #   python       the package foldless (see app/python)
+#   documentation  README, the pages, and what they link to, sources included
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -56,5 +57,27 @@ string(REGEX REPLACE "[^/]+" ".." FOLDLESS_PC_UP_TO_PREFIX ${CMAKE_INSTALL_LIBDI
 configure_file(cmake/foldless.pc.in ${PROJECT_BINARY_DIR}/foldless.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/foldless.pc
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+# Which files these are is asked when they are installed: a page that is new belongs to them.
+if(FOLDLESS_PYTHON3)
+  install(CODE "
+    execute_process(COMMAND ${FOLDLESS_PYTHON3} ${PROJECT_SOURCE_DIR}/tests/docs/links.py
+                            ${PROJECT_SOURCE_DIR} --targets
+                    OUTPUT_VARIABLE pages OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    string(REPLACE \"\\n\" \";\" pages \"\${pages}\")
+    foreach(page IN LISTS pages)
+      get_filename_component(folder \"\${page}\" DIRECTORY)
+      file(INSTALL \"${PROJECT_SOURCE_DIR}/\${page}\" TYPE FILE
+           DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/doc/foldless/\${folder}\")
+    endforeach()" COMPONENT documentation)
+endif()
+
+# All that is installed, for scripts/run and scripts/package: README's programs are for what the first one built.
+add_custom_target(foldless_installed DEPENDS foldless foldless_core)
+foreach(target foldless_python foldless_words)
+  if(TARGET ${target})
+    add_dependencies(foldless_installed ${target})
+  endif()
+endforeach()
 
 include(cmake/debian.cmake)

@@ -28,8 +28,8 @@ add_test(NAME Pages.EachSpoiltPageIsTold
          COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py --self-test)
 if(NOT FOLDLESS_SANITIZE)
   add_test(NAME Pages.TablesHaveTheColumnsRowsAndVersionThatBenchWrites
-           COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py ${PROJECT_SOURCE_DIR}
-                   --regenerate $<TARGET_FILE:foldless>)
+           COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/tables.py ${PROJECT_SOURCE_DIR}
+                   $<TARGET_FILE:foldless>)
   add_test(NAME Pages.CommandsOfReadmeWorkAsPasted
            COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/docs/pages.py ${PROJECT_SOURCE_DIR}
                    --paste $<TARGET_FILE:foldless>)
@@ -87,7 +87,9 @@ add_test(NAME Install.GivesAProgramThatFindsItsData
 if(TARGET foldless_words)
   list(JOIN CPACK_COMPONENTS_ALL "," components)
   add_test(NAME Install.HasEveryFileInOneComponent
-           COMMAND ${CMAKE_COMMAND} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DCOMPONENTS=${components}
+           COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
+                   -DBUILD_DIR=${PROJECT_BINARY_DIR} -DPYTHON=${FOLDLESS_PYTHON3}
+                   -DCOMPONENTS=${components},documentation
                    -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/components
                    -P ${CMAKE_CURRENT_SOURCE_DIR}/components_test.cmake)
   add_test(NAME WordsOfHelp.AreAManualPageAndACompletion
@@ -112,6 +114,9 @@ if(TARGET foldless_python)
   set(python_environment PYTHONPATH=${PROJECT_BINARY_DIR}/python PYTHONDONTWRITEBYTECODE=1)
   set_tests_properties(Python.PackageDoesWhatItsTestsSay PROPERTIES
     TIMEOUT 120 ENVIRONMENT "${python_environment}")
+  add_test(NAME Python.WheelSolvesAndDrawsWithWhatIsInIt
+           COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/app/python/wheel_test.py
+                   ${PROJECT_BINARY_DIR})
   execute_process(COMMAND ${Python3_EXECUTABLE} -c "import matplotlib"
                   RESULT_VARIABLE no_matplotlib OUTPUT_QUIET ERROR_QUIET)
   if(no_matplotlib EQUAL 0)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every file that is installed is in one component, and each component, a package, has what it is for.
-#   cmake -DBUILD_DIR=... -DSCRATCH=... -DCOMPONENTS=a,b -P components_test.cmake
+# Every file that is installed is in one component, and each component has what it is for.
+#   cmake -DSOURCE_DIR=... -DBUILD_DIR=... -DSCRATCH=... -DPYTHON=... -DCOMPONENTS=a,b -P components_test.cmake
 cmake_minimum_required(VERSION 3.25) # for IN_LIST
 file(REMOVE_RECURSE ${SCRATCH})
 
@@ -49,6 +49,18 @@ expect(runtime bin/foldless share/applications/foldless.desktop
        share/bash-completion/completions/foldless share/doc/foldless/copyright)
 expect(development include/foldless/solve.h include/foldless/version.h
        share/doc/libfoldless-dev/copyright)
+expect(documentation share/doc/foldless/README.md share/doc/foldless/docs/method.md
+       share/doc/foldless/docs/images/limb.webp
+       share/doc/foldless/core/method/remeshing_assisted.cpp)
+execute_process(COMMAND ${PYTHON} ${SOURCE_DIR}/tests/docs/links.py
+                        ${SCRATCH}/of_documentation/share/doc/foldless
+                RESULT_VARIABLE status OUTPUT_VARIABLE output)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "links of the installed pages lead nowhere: ${output}")
+endif()
+if("share/doc/foldless/CMakeLists.txt" IN_LIST FILES_OF_documentation)
+  message(FATAL_ERROR "documentation installs more than pages and what they link to")
+endif()
 if("python" IN_LIST COMPONENTS)
   expect(python lib/python3/dist-packages/foldless/__init__.py
          lib/python3/dist-packages/foldless/py.typed

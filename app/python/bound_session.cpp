@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <future>
-#include <string>
 
 #include "app/python/arrays.h"
 
@@ -82,16 +81,6 @@ bool BoundSession::interruptibly(const std::function<bool()>& work) {
     throw interruption;
   }
   return done.get();
-}
-
-SolveOptions options_of(const std::string& energy, std::optional<double> time_limit,
-                        bool fixed_triangulation, std::optional<double> beta) {
-  SolveOptions options;
-  options.energy = energy;
-  options.time_limit = time_limit;
-  options.fixed_triangulation = fixed_triangulation;
-  options.beta = beta;
-  return options;
 }
 
 }  // namespace foldless

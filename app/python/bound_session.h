@@ -41,8 +41,4 @@ class BoundSession {
   PointMatrix sent_;
 };
 
-/// What Python passes by name to solve() and Session.
-SolveOptions options_of(const std::string& energy, std::optional<double> time_limit,
-                        bool fixed_triangulation, std::optional<double> beta);
-
 }  // namespace foldless

@@ -90,14 +90,15 @@ void bind_session(py::module_& module) {
   py::class_<BoundSession>(module, "Session",
                            "A run that goes on whenever its targets move: s.targets[3] = x, y.")
       .def(py::init([](const py::object& V, const py::object& F, const py::object& handles,
-                       const py::object& targets, const std::string& energy,
-                       std::optional<double> time_limit, bool fixed_triangulation,
+                       const py::object& targets, std::string energy,
+                       std::optional<double> time_limit, int threads, bool fixed_triangulation,
                        std::optional<double> beta) {
              return std::make_unique<BoundSession>(
-                 V, F, handles, targets, options_of(energy, time_limit, fixed_triangulation, beta));
+                 V, F, handles, targets,
+                 SolveOptions{std::move(energy), time_limit, threads, fixed_triangulation, beta});
            }),
            py::arg("V"), py::arg("F"), py::arg("handles"), py::arg("targets"), py::kw_only(),
-           py::arg("energy") = "arap", py::arg("time_limit") = py::none(),
+           py::arg("energy") = "arap", py::arg("time_limit") = py::none(), py::arg("threads") = 1,
            py::arg("fixed_triangulation") = false, py::arg("beta") = py::none())
       .def_property("targets", &BoundSession::targets, &BoundSession::set_targets,
                     "(#handles, 2) where the handles are to go; write into it or replace it")

@@ -213,9 +213,8 @@ Scene turned_disk_to_cowboy(const Meshes& meshes) {
 }
 
 Scene swirl(const Meshes& meshes) {
-  Scene scene =
-      scene_over(meshes.at("grid_dense"), "arap",
-                 "The middle turns by 180 degrees: only flips let a grid this coarse follow.");
+  Scene scene = scene_over(meshes.at("grid_dense"), "arap",
+                           "The middle turns by 180 degrees: flipped edges (key 6) wind round it.");
   pin(scene, grid_square(kDenseGrid, 0, kDenseGrid.columns, true));
   turn(scene, grid_square(kDenseGrid, 3, 7, false), {0.5, 0.5}, 180);
   return scene;

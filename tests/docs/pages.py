@@ -3,7 +3,6 @@
 """Checks README and the tables of docs/benchmarks.md.
 
   pages.py TREE                      README is short, says what it has to, and moves; tables say where they are from
-  pages.py TREE --regenerate PROGRAM runs small parts of the suites: the same columns, rows, sizes and version
   pages.py TREE --contract PROGRAM   docs/formats.md tells every key of a report and every column that is written
   pages.py TREE --paste PROGRAM      the commands of README, pasted into a shell, all end with status 0 and make
                                      what they say
@@ -18,6 +17,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True
+from links import pages
+from tables import HANDLES, ORIGIN, SUITES, block
+
 MOST_LINES, MOST_WORDS, MOST_PICTURE_BYTES = 150, 1200, 1_500_000
 MOST_PROGRAM_LINES = 10
 # Sections with commands, what these print among other things, and a file that they make.
@@ -29,11 +32,11 @@ DEFINITION = (
     "boundary vertex add up to less than a full turn.")
 SECTIONS = ("Two commands", "Three pictures", "What sets it apart", "On the command line", "From Python", "From C++",
             "Results", "Links")
-SUITES = ("paper", "random", "large", "drags", "seeds", "methods", "hard", "large-all", "drags-all")
-HANDLES = "benchmark/README.md", "handles"
 RECORD = re.compile(r"^\*Record · [^*]*\d [A-Z][a-z]+ 20\d\d · foldless [\d.]+: [^*]+\*$", re.MULTILINE)
-ORIGIN = re.compile(r"^\*(?P<date>\d{4}-\d\d-\d\d) · (?P<machine>.+, \d+ cores) · (?P<version>foldless \S+) · "
-                    r"`(?:foldless bench --suite|benchmark/run) [^`]+`\*$", re.MULTILINE)
+MESH = re.compile(r"^\| `(\w+\.obj)` \| (\d+) / (\d+) \|", re.MULTILINE)
+# Pages whose tables promise and do not measure: their figures are status words, defaults and limits.
+PROMISES = ("docs/cli.md", "docs/formats.md", "docs/animation-formats.md")
+CLICKS = ("Algorithm 1", "eq. 5", "eq. 7", "eq. 8", "eq. 10", "eq. 12", "eq. 13")
 
 
 def readme_problems(tree):
@@ -62,20 +65,6 @@ def picture_problems(tree, text):
     return [f"{first.group(1)} has {len(data)} bytes"] if len(data) > MOST_PICTURE_BYTES else []
 
 
-def block(tree, suite, page="docs/benchmarks.md"):
-    """What scripts/benchmarks wrote of a suite, or None."""
-    text = (tree / page).read_text(encoding="utf-8")
-    found = re.search(rf"^<!-- begin {suite} -->$\n(.*?)^<!-- end {suite} -->$", text, re.MULTILINE | re.DOTALL)
-    return found.group(1) if found else None
-
-
-def table_of(text):
-    """The rows of the first table, lists of cells, without the line under the titles."""
-    rows = [[cell.strip() for cell in line.strip("|").split("|")]
-            for line in re.search(r"(?:^\|.*\n?)+", text, re.MULTILINE).group().splitlines()]
-    return rows[:1] + rows[2:]
-
-
 def block_problems(tree):
     problems = []
     for page, suite in [("docs/benchmarks.md", suite) for suite in SUITES] + [HANDLES]:
@@ -92,11 +81,10 @@ def block_problems(tree):
 def record_problems(tree):
     """Figures in tables that no command writes are marked as a record, with date and version."""
     problems = []
-    for path in [tree / "README.md", tree / "docs/engine.md", tree / "docs/benchmarks.md", tree / "docs/paper.md",
-                 *sorted((tree / "docs/experiments").glob("*.md"))]:
-        if not path.is_file():
+    for path in pages(tree):
+        if str(path.relative_to(tree)) in PROMISES:
             continue
-        text = re.sub(r"^<!-- begin .*?^<!-- end .*?$", "", path.read_text(encoding="utf-8"),
+        text = re.sub(r"^<!-- begin .*?^<!-- end .*?$", "", MESH.sub("|", path.read_text(encoding="utf-8")),
                       flags=re.MULTILINE | re.DOTALL)
         figures = re.search(r"^\|(?:[^|\n]*\|)*\s*[\d.]+ *[^|\n]{0,8}\|", text, re.MULTILINE)
         if figures and not RECORD.search(text[:figures.start()]):
@@ -105,48 +93,32 @@ def record_problems(tree):
     return problems
 
 
-def regenerated(tree, program, arguments, seeds):
-    """The table that bench makes now, or that of several seeds."""
-    with tempfile.TemporaryDirectory() as folder:
-        out = pathlib.Path(folder) / "out"
-        subprocess.run([program, "bench", *arguments, "-o", str(out)], check=True, stdout=subprocess.DEVNULL)
-        if seeds:
-            return table_of(subprocess.run([sys.executable, tree / "scripts/tables/seeds.py", out], check=True,
-                                           stdout=subprocess.PIPE, text=True).stdout)
-        name = "table1.md" if (out / "table1.md").exists() else "summary.md"
-        return table_of((out / name).read_text(encoding="utf-8"))
+def page_problems(tree):
+    return [*readme_problems(tree), *block_problems(tree), *record_problems(tree), *size_problems(tree),
+            *click_problems(tree)]
 
 
-# A part of each suite that takes no time, and how many cells at the left do not depend on the machine.
-PARTS = (("paper", ["--suite", "paper", "--only", "5", "--method", "paper-flip,foldless"], 4),
-         ("random", ["--suite", "random", "--seed", "701", "--only", "0", "--method", "foldless,paper-flip"], 1),
-         ("methods", ["--suite", "random", "--seed", "1", "--only", "0", "--method", "foldless,lim"], 1),
-         ("seeds", ["--suite", "random", "--seed", "705", "--only", "0", "--method", "foldless,paper-flip"], 2),
-         ("hard", ["--suite", "hard", "--seed", "1", "--only", "0", "--method", "foldless"], 1),
-         ("large", ["--suite", "scale", "--only", "0", "--method", "foldless"], 3),
-         ("large-all", ["--suite", "scale", "--only", "0", "--method", "foldless"], 3),
-         ("drags", ["--suite", "drag", "--only", "0", "--method", "foldless"], 3),
-         ("drags-all", ["--suite", "drag", "--only", "0", "--method", "foldless"], 3))
-
-
-def regeneration_problems(tree, program):
-    version = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout.strip()
+def size_problems(tree):
+    """The table of meshes has the numbers of vertices and triangles that the files have."""
     problems = []
-    for suite, arguments, names in PARTS:
-        text = block(tree, suite)
-        if ORIGIN.search(text).group("version") != version:
-            problems.append(f"{suite} is of {ORIGIN.search(text).group('version')}, this is {version}: "
-                            f"run scripts/benchmarks {suite}")
-        written, new = table_of(text), regenerated(tree, program, arguments, suite == "seeds")
-        if written[0] != new[0]:
-            problems.append(f"{suite}: docs/benchmarks.md has the columns {written[0]}, bench writes {new[0]}")
-        known = {tuple(row[:names]) for row in written[1:]}
-        problems += [f"{suite}: docs/benchmarks.md has no row {row[:names]}"
-                     for row in new[1:] if tuple(row[:names]) not in known]
-        problems += [f"{suite}: a row of docs/benchmarks.md has {len(row)} cells: {row}"
-                     for row in written[1:] if len(row) != len(new[0])]
-        if len(new) < 2:
-            problems.append(f"{suite}: bench {' '.join(arguments)} writes no row")
+    page = tree / "assets/README.md"
+    for name, *told in MESH.findall(page.read_text(encoding="utf-8")):
+        lines = (tree / "assets/meshes" / name).read_text(encoding="utf-8").splitlines()
+        counted = [str(sum(line.startswith(kind) for line in lines)) for kind in ("v ", "f ")]
+        if told != counted:
+            problems.append(f"assets/README.md: {name} has {' / '.join(counted)}, not {' / '.join(told)}")
+    return problems
+
+
+def click_problems(tree):
+    """What a reader of the paper looks for is linked before the first heading of the method's page, to the file that the
+    table of all steps names."""
+    page = (tree / "docs/method.md").read_text(encoding="utf-8")
+    top, problems = page.split("\n## ")[0], []
+    for step in CLICKS:
+        there = re.search(rf"^\| {re.escape(step)} \|.*?\]\(([^)]+)\) \|", page, re.MULTILINE)
+        if not there or f"[{step}]({there.group(1)})" not in top:
+            problems.append(f"docs/method.md begins with no link to {step}, to the file that its table names")
     return problems
 
 
@@ -228,6 +200,12 @@ def made_tree(folder, change=lambda readme, benchmarks: (readme, benchmarks), pi
     (tree / "benchmark").mkdir(exist_ok=True)
     (tree / HANDLES[0]).write_text(benchmarks, encoding="utf-8")
     (tree / "docs").mkdir(exist_ok=True)
+    (tree / "assets/meshes").mkdir(parents=True, exist_ok=True)
+    (tree / "assets/meshes/a.obj").write_text("v 0 0 0\nvt 0 0\nf 1 2 3\n", encoding="utf-8")
+    (tree / "assets/README.md").write_text("| `a.obj` | 1 / 1 | a triangle |\n", encoding="utf-8")
+    (tree / "docs/method.md").write_text(
+        "".join(f"[{step}](f)\n" for step in CLICKS) + "\n## Steps\n" +
+        "".join(f"| {step} | x | [`f`](f) | `g` |\n" for step in CLICKS), encoding="utf-8")
     (tree / "README.md").write_text(readme, encoding="utf-8")
     (tree / "docs/benchmarks.md").write_text(benchmarks, encoding="utf-8")
     (tree / "p.webp").write_bytes(picture)
@@ -260,12 +238,22 @@ def self_test():
     with tempfile.TemporaryDirectory() as folder:
         for what, change in {"": lambda r, b: (r, b), **spoilt}.items():
             tree = made_tree(folder, change)
-            problems = readme_problems(tree) + block_problems(tree) + record_problems(tree)
+            problems = page_problems(tree)
             if bool(what) != any(what in problem for problem in problems):
                 failures.append(f"expected '{what}', got {problems}")
         for what, picture in {"does not move": b"RIFF....WEBPVP8L", "bytes": b"ANMF" * 400_000}.items():
             if not any(what in problem for problem in readme_problems(made_tree(folder, picture=picture))):
                 failures.append(f"accepted a picture that {what}")
+        for what, page, good, bad in (
+                ("a.obj has 1 / 1, not 2 / 1", "assets/README.md", "1 / 1", "2 / 1"),
+                ("assets/README.md has a table of figures", "assets/README.md", "a triangle", "1.5 s"),
+                ("no link to eq. 5", "docs/method.md", "[eq. 5](f)", "[eq. 5](h)"),
+                ("no link to Algorithm 1", "docs/method.md", "[Algorithm 1](f)", "Algorithm 1")):
+            tree = made_tree(folder)
+            text = (tree / page).read_text(encoding="utf-8")
+            (tree / page).write_text(text.replace(good, bad), encoding="utf-8")
+            if not any(what in problem for problem in page_problems(tree)):
+                failures.append(f"expected '{what}', got {page_problems(tree)}")
     marked = "*Record · 22 November 2026 · foldless 0.1.0: measured once.*\n| 1 |\n"
     if not RECORD.search(marked) or RECORD.search(marked.replace("0.1.0", "")):
         failures.append("knows no record")
@@ -279,9 +267,7 @@ def main(arguments):
         problems = self_test()
     elif len(arguments) == 1:
         tree = pathlib.Path(arguments[0])
-        problems = readme_problems(tree) + block_problems(tree) + record_problems(tree)
-    elif len(arguments) == 3 and arguments[1] == "--regenerate":
-        problems = regeneration_problems(pathlib.Path(arguments[0]), arguments[2])
+        problems = page_problems(tree)
     elif len(arguments) == 3 and arguments[1] == "--paste":
         problems = paste_problems(pathlib.Path(arguments[0]), arguments[2])
     elif len(arguments) == 3 and arguments[1] == "--contract":

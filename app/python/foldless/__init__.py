@@ -18,20 +18,21 @@ __all__ = ["Error", "Iteration", "Parents", "Result", "Session", "check", "energ
            "render", "solve"]
 
 
-def solve(V, F, handles, targets, *, energy="arap", time_limit=None, fixed_triangulation=False,
-          beta=None):
+def solve(V, F, handles, targets, *, energy="arap", time_limit=None, threads=1,
+          fixed_triangulation=False, beta=None):
     """Deforms a mesh so that vertices come to targets without a fold; returns a Result.
 
     V: (#V, 2) positions at rest, locally injective. F: (#F, 3) triangles. handles: (#H,) vertices.
-    targets: (#H, 2) where they go. energy: one of energies(). time_limit: processor seconds, None
-    for none. fixed_triangulation: no flip and no split. beta: weight of the barrier against
-    collapse.
+    targets: (#H, 2) where they go. energy: one of energies(). time_limit: processor seconds of the
+    solving thread, None for none. threads: how many share the work on large meshes, from some
+    2,000 triangles on; the result is the same bits with any number. fixed_triangulation: no flip
+    and no split. beta: weight of the barrier against collapse.
 
     Other threads run meanwhile. What a signal raises, such as KeyboardInterrupt for Ctrl-C, ends it
     within a second and has the last valid mesh as its attribute `result`.
     """
     session = Session(V, F, handles, targets, energy=energy, time_limit=time_limit,
-                      fixed_triangulation=fixed_triangulation, beta=beta)
+                      threads=threads, fixed_triangulation=fixed_triangulation, beta=beta)
     try:
         session.run()
     except BaseException as stop:

@@ -95,7 +95,7 @@ class Session:
 
     cancel() and what is read may be called from any thread."""
     def __init__(self, V: ArrayLike, F: ArrayLike, handles: ArrayLike, targets: ArrayLike, *,
-                 energy: str = "arap", time_limit: Optional[float] = None,
+                 energy: str = "arap", time_limit: Optional[float] = None, threads: int = 1,
                  fixed_triangulation: bool = False, beta: Optional[float] = None) -> None: ...
     @property
     def targets(self) -> NDArray[np.float64]:
@@ -134,9 +134,10 @@ class CheckedMap(TypedDict):
     mean_conformal_distortion: float
 
 def solve(V: ArrayLike, F: ArrayLike, handles: ArrayLike, targets: ArrayLike, *,
-          energy: str = "arap", time_limit: Optional[float] = None,
+          energy: str = "arap", time_limit: Optional[float] = None, threads: int = 1,
           fixed_triangulation: bool = False, beta: Optional[float] = None) -> Result:
-    """Deforms a mesh so that vertices come to targets without a fold."""
+    """Deforms a mesh so that vertices come to targets without a fold. threads: how many share the
+    work on large meshes; the result is the same bits with any number."""
 
 def check(V: ArrayLike, F: ArrayLike, U: ArrayLike) -> CheckedMap:
     """Whether the map that takes (#V, 2) V to U on (#F, 3) triangles is locally injective, proved

@@ -126,6 +126,28 @@ class Session(unittest.TestCase):
 
 
 class Threads(unittest.TestCase):
+    def test_of_a_solve_give_the_same_bits_however_many(self):
+        problem = swapped(34)
+        self.assertGreater(len(problem[1]), 2000)
+        alone, shared = (foldless.solve(*problem, threads=n) for n in (1, 3))
+        self.assertTrue(alone.reached)
+        for name in ("V", "F", "U"):
+            self.assertEqual(getattr(alone, name).tobytes(), getattr(shared, name).tobytes())
+
+    def test_of_a_session_are_helpers_that_go_with_it(self):
+        def count():
+            return len(os.listdir("/proc/self/task"))
+
+        def comes_to(threads):  # one that has ended is listed a little longer
+            return any(count() == threads or time.sleep(0.01) for _ in range(500))
+
+        before = count()
+        s = foldless.Session(*swapped(34), threads=3)
+        s.step()
+        self.assertTrue(comes_to(before + 2))
+        del s
+        self.assertTrue(comes_to(before))
+
     def test_of_python_go_on_during_a_solve(self):
         counts, done = [], threading.Event()
 
@@ -213,6 +235,8 @@ class BadInput(unittest.TestCase):
                 foldless.solve(*arguments)
         with self.assertRaisesRegex(foldless.Error, "there is no energy 'no'; choose one of"):
             foldless.solve(V, F, handles, targets, energy="no")
+        with self.assertRaisesRegex(foldless.Error, "^the number of threads has to be 1 or more$"):
+            foldless.solve(V, F, handles, targets, threads=0)
 
     def test_for_pictures_gets_one_sentence(self):
         with self.assertRaisesRegex(foldless.Error, "nowhere.png"):
