@@ -10,7 +10,7 @@
 namespace foldless {
 namespace {
 
-/// The version of its interface since Mesa 9; a release that changes it has another header too.
+/// As Debian's libosmesa6 installs it; the number changes with the interface.
 constexpr const char* kLibrary = "libOSMesa.so.8";
 
 [[noreturn]] void throw_missing() {

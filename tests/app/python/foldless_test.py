@@ -179,7 +179,7 @@ try:
     foldless.solve(*problem)
 except KeyboardInterrupt as stop:
     r = stop.result
-    print(r.outcome, foldless.check(r.V, r.F, r.U)["injective"])
+    print(r.outcome, foldless.check(r.V, r.F, r.U)["injective"], len(r.log) > 0)
 """
 
 
@@ -190,13 +190,13 @@ def processor_seconds_of(process):
 
 class Interruption(unittest.TestCase):
     # Of processor time, which other work on the machine leaves as it is.
-    def test_ends_a_solve_within_a_second_with_a_valid_mesh(self):
+    def words_when_interrupted_after(self, seconds):
         here = str(pathlib.Path(__file__).resolve().parent)
         process = subprocess.Popen([sys.executable, "-c", INTERRUPTED, here],
                                    stdout=subprocess.PIPE, text=True)
         self.assertEqual(process.stdout.readline(), "begins\n")
         begin = processor_seconds_of(process)
-        while processor_seconds_of(process) < begin + 0.7:
+        while processor_seconds_of(process) < begin + seconds:
             time.sleep(0.01)
         end = processor_seconds_of(process)
         os.kill(process.pid, signal.SIGINT)
@@ -204,8 +204,16 @@ class Interruption(unittest.TestCase):
         process.stdout.close()
         _, _, usage = os.wait4(process.pid, 0)
         process.returncode = 0
-        self.assertEqual(words, "cancelled True\n")
         self.assertLess(usage.ru_utime + usage.ru_stime - end, 1)
+        return words
+
+    def test_ends_a_solve_within_a_second_with_a_valid_mesh(self):
+        # The first of four quarters has no step yet: how long it takes is the machine's affair.
+        for seconds in (0.7, 1.4, 2.8, 5.6):
+            words = self.words_when_interrupted_after(seconds)
+            if words != "cancelled True False\n":
+                break
+        self.assertEqual(words, "cancelled True True\n")
 
 
 class BadInput(unittest.TestCase):
