@@ -24,8 +24,8 @@ def solve(V, F, handles, targets, *, energy="arap", time_limit=None, threads=1,
 
     V: (#V, 2) positions at rest, locally injective. F: (#F, 3) triangles. handles: (#H,) vertices.
     targets: (#H, 2) where they go. energy: one of energies(). time_limit: processor seconds of the
-    solving thread, None for none. threads: how many share the work on large meshes, from some
-    2,000 triangles on; the result is the same bits with any number. fixed_triangulation: no flip
+    solving thread, None for none. threads: how many share sums over more than 512
+    triangles and large factorizations; the result is the same bits with any number. fixed_triangulation: no flip
     and no split. beta: weight of the barrier against collapse.
 
     Other threads run meanwhile. What a signal raises, such as KeyboardInterrupt for Ctrl-C, ends it
