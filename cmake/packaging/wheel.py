@@ -3,16 +3,13 @@
 """wheel.py BUILD OUT: packs the Python package of a build into a wheel in the folder OUT, with the shaders that
 foldless.render draws with, and prints its name. The same build makes the same bytes."""
 
-import base64
-import csv
-import hashlib
-import io
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
-import zipfile
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
 METADATA = """Metadata-Version: 2.1
@@ -50,46 +47,33 @@ def tag_of(package):
     return f"cp{python}-cp{python}-linux_{machine}"
 
 
-def contents(build, prefix):
-    """Name → bytes of all but RECORD, and the name of the wheel. Files below .data/data go beside the interpreter's
-    lib, where the program's data would be."""
-    package, version = installed(build, prefix), version_of(build)
-    tag = tag_of(package)
-    files = {f"foldless/{p.name}": p.read_bytes() for p in package.iterdir() if p.is_file()}
-    for shader in (TREE / "shaders").iterdir():
-        files[f"foldless-{version}.data/data/share/foldless/shaders/{shader.name}"] = shader.read_bytes()
-    info = f"foldless-{version}.dist-info"
+def lay_out(build, tree):
+    """Puts into a folder all that a wheel holds but RECORD. Files below .data/data go beside the interpreter's lib, where
+    the program's data would be."""
+    version = version_of(build)
+    with tempfile.TemporaryDirectory() as prefix:
+        package = installed(build, prefix)
+        tag = tag_of(package)
+        shutil.copytree(package, tree / "foldless")
+    shutil.copytree(TREE / "shaders", tree / f"foldless-{version}.data/data/share/foldless/shaders")
+    info = tree / f"foldless-{version}.dist-info"
+    info.mkdir()
     python = re.sub(r"^cp(\d)(\d+)-.*", r"\1.\2", tag)
     words = METADATA.format(version=version, python=python) + (TREE / "docs/python.md").read_text(encoding="utf-8")
-    files[f"{info}/METADATA"] = words.encode()
-    files[f"{info}/WHEEL"] = WHEEL.format(tag=tag).encode()
-    files[f"{info}/LICENSE"] = (TREE / "LICENSE").read_bytes()
-    return files, info, f"foldless-{version}-{tag}.whl"
-
-
-def record_of(files, info):
-    lines = io.StringIO()
-    rows = csv.writer(lines, lineterminator="\n")
-    for name, data in sorted(files.items()):
-        digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
-        rows.writerow([name, f"sha256={digest}", len(data)])
-    rows.writerow([f"{info}/RECORD", "", ""])
-    return lines.getvalue().encode()
+    (info / "METADATA").write_text(words, encoding="utf-8")
+    (info / "WHEEL").write_text(WHEEL.format(tag=tag), encoding="utf-8")
+    shutil.copy(TREE / "LICENSE", info)
 
 
 def main(build, out):
-    with tempfile.TemporaryDirectory() as prefix:
-        files, info, name = contents(pathlib.Path(build), prefix)
-    files[f"{info}/RECORD"] = record_of(files, info)
-    path = pathlib.Path(out) / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as wheel:
-        for file, data in files.items():
-            entry = zipfile.ZipInfo(file, (1980, 1, 1, 0, 0, 0))
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = (0o100755 if file.endswith(".so") else 0o100644) << 16
-            wheel.writestr(entry, data)
-    print(path)
+    pathlib.Path(out).mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as tree:
+        lay_out(pathlib.Path(build), pathlib.Path(tree))
+        # A date of its own would make other bytes of the same files.
+        environment = {**os.environ, "SOURCE_DATE_EPOCH": "315532800"}
+        subprocess.run([sys.executable, "-m", "wheel", "pack", tree, "--dest-dir", out], check=True, env=environment,
+                       stdout=subprocess.DEVNULL)
+    print(*pathlib.Path(out).glob("foldless-*.whl"))
 
 
 if __name__ == "__main__":
