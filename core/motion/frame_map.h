@@ -2,11 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
-#include <unordered_map>
-#include <vector>
+#include <span>
 
 #include "core/mesh/triangle.h"
+#include "core/motion/rest_cover.h"
 #include "core/snapshot.h"
 
 namespace foldless {
@@ -19,22 +18,18 @@ class FrameMap {
  public:
   /// `original`: 3 × #F, which has to outlive the map.
   FrameMap(std::shared_ptr<const Snapshot> snapshot, const Triangles& original);
+  /// `cover` is of the snapshot's mesh.
+  FrameMap(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const RestCover> cover);
 
   const Snapshot& snapshot() const { return *snapshot_; }
   /// The frame's triangles that share area at rest with an original one.
-  const std::vector<int>& covering(int triangle) const;
+  std::span<const int> covering(int triangle) const { return cover_->covering(triangle); }
   /// Where the frame takes a point of an original triangle at rest.
   Vec2 at(const Vec2& rest, int triangle) const;
 
  private:
-  std::vector<int> find_covering(int triangle) const;
-  std::vector<int> neighbours(int triangle) const;
-
   std::shared_ptr<const Snapshot> snapshot_;
-  const Triangles& original_;
-  std::vector<int> first_;  ///< of a vertex in `round_`, #V + 1
-  std::vector<int> round_;  ///< triangles by vertex
-  mutable std::unordered_map<int, std::vector<int>> covering_;
+  std::shared_ptr<const RestCover> cover_;
 };
 
 /// True when two counter-clockwise triangles, a corner a column, share area; exact.
