@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/mesh/triangle.h"
+#include "core/motion/corners.h"
 #include "core/motion/rest_cover.h"
 #include "core/snapshot.h"
 
@@ -31,18 +32,5 @@ class FrameMap {
   std::shared_ptr<const Snapshot> snapshot_;
   std::shared_ptr<const RestCover> cover_;
 };
-
-/// True when two counter-clockwise triangles, a corner a column, share area; exact.
-bool share_area(const Eigen::Matrix<double, 2, 3>& a, const Eigen::Matrix<double, 2, 3>& b);
-
-/// The corners of a triangle.
-inline Eigen::Matrix<double, 2, 3> corners_of(const Points& points, const Eigen::Vector3i& t) {
-  Eigen::Matrix<double, 2, 3> corners;
-  corners << points.col(t[0]), points.col(t[1]), points.col(t[2]);
-  return corners;
-}
-
-/// Barycentric coordinates of a point in a triangle that has area; they add up to 1.
-Eigen::Vector3d barycentric(const Eigen::Matrix<double, 2, 3>& corners, const Vec2& point);
 
 }  // namespace foldless

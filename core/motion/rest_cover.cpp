@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "core/motion/frame_map.h"
+#include "core/motion/corners.h"
 
 namespace foldless {
 namespace {
@@ -47,7 +47,7 @@ std::vector<int> RestCover::neighbours(int triangle) const {
 std::vector<int> RestCover::find_covering(int triangle) const {
   const Points& rest = *rest_;
   const Eigen::Vector3i corners = original_.col(triangle);
-  const Eigen::Matrix<double, 2, 3> covered = corners_of(rest, corners);
+  const Corners covered = corners_of(rest, corners);
   const auto covers = [&](int t) {
     return share_area(corners_of(rest, triangles_->col(t)), covered);
   };
