@@ -72,17 +72,11 @@ class Baking {
     return unproved.empty() ? with_states : unproved;
   }
 
-  BakedAnimation result() const {
-    BakedAnimation animation;
-    animation.triangles = refined_.mesh().triangles();
-    animation.rest = refined_.mesh().rest();
-    animation.original_vertices = frames_.snapshots.front()->original_vertices;
+  /// Takes the frames out, so that they are not there twice.
+  BakedAnimation take_result() {
+    BakedAnimation animation = without_frames();
     for (const Entry& entry : order_)
-      animation.frames.push_back({moment_of(entry), refined_.deformed(entry.number)});
-    animation.loops = frames_.loops;
-    animation.cycle_frames = frames_.cycle_frames;
-    animation.fps = frames_.fps;
-    animation.deviation = refined_.deviation();
+      animation.frames.push_back({moment_of(entry), refined_.take_deformed(entry.number)});
     return animation;
   }
 
@@ -93,6 +87,25 @@ class Baking {
     std::size_t state;   ///< 0: the frame itself; else one more than its index in `between_`
     std::size_t number;  ///< in `refined_`
   };
+
+  BakedAnimation without_frames() const {
+    BakedAnimation animation;
+    animation.triangles = refined_.mesh().triangles();
+    animation.rest = refined_.mesh().rest();
+    animation.original_vertices = frames_.snapshots.front()->original_vertices;
+    animation.loops = frames_.loops;
+    animation.cycle_frames = frames_.cycle_frames;
+    animation.fps = frames_.fps;
+    animation.deviation = refined_.deviation();
+    return animation;
+  }
+
+  BakedAnimation result() const {
+    BakedAnimation animation = without_frames();
+    for (const Entry& entry : order_)
+      animation.frames.push_back({moment_of(entry), refined_.deformed(entry.number)});
+    return animation;
+  }
 
   bool refine(double most, const std::stop_token& token) {
     return refined_.refine(options_.tolerance, static_cast<int>(std::min(most, 1e9)), token);
@@ -163,7 +176,7 @@ std::optional<BakedAnimation> bake(const FramesToBake& frames, const BakeOptions
     Baking baking(frames, options, hopeless, between);
     if (!baking.run(states_between, token)) return std::nullopt;
     const std::set<std::size_t> in_vain = baking.in_vain();
-    if (in_vain.empty()) return baking.result();
+    if (in_vain.empty()) return baking.take_result();
     hopeless.insert(in_vain.begin(), in_vain.end());
   }
 }

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
-#include <unordered_map>
-#include <vector>
+#include <span>
 
 #include "core/mesh/triangle.h"
+#include "core/motion/corners.h"
+#include "core/motion/rest_cover.h"
 #include "core/snapshot.h"
 
 namespace foldless {
@@ -19,35 +19,18 @@ class FrameMap {
  public:
   /// `original`: 3 × #F, which has to outlive the map.
   FrameMap(std::shared_ptr<const Snapshot> snapshot, const Triangles& original);
+  /// `cover` is of the snapshot's mesh.
+  FrameMap(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const RestCover> cover);
 
   const Snapshot& snapshot() const { return *snapshot_; }
   /// The frame's triangles that share area at rest with an original one.
-  const std::vector<int>& covering(int triangle) const;
+  std::span<const int> covering(int triangle) const { return cover_->covering(triangle); }
   /// Where the frame takes a point of an original triangle at rest.
   Vec2 at(const Vec2& rest, int triangle) const;
 
  private:
-  std::vector<int> find_covering(int triangle) const;
-  std::vector<int> neighbours(int triangle) const;
-
   std::shared_ptr<const Snapshot> snapshot_;
-  const Triangles& original_;
-  std::vector<int> first_;  ///< of a vertex in `round_`, #V + 1
-  std::vector<int> round_;  ///< triangles by vertex
-  mutable std::unordered_map<int, std::vector<int>> covering_;
+  std::shared_ptr<const RestCover> cover_;
 };
-
-/// True when two counter-clockwise triangles, a corner a column, share area; exact.
-bool share_area(const Eigen::Matrix<double, 2, 3>& a, const Eigen::Matrix<double, 2, 3>& b);
-
-/// The corners of a triangle.
-inline Eigen::Matrix<double, 2, 3> corners_of(const Points& points, const Eigen::Vector3i& t) {
-  Eigen::Matrix<double, 2, 3> corners;
-  corners << points.col(t[0]), points.col(t[1]), points.col(t[2]);
-  return corners;
-}
-
-/// Barycentric coordinates of a point in a triangle that has area; they add up to 1.
-Eigen::Vector3d barycentric(const Eigen::Matrix<double, 2, 3>& corners, const Vec2& point);
 
 }  // namespace foldless

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "core/mesh/orientation.h"
@@ -26,8 +27,16 @@ RefineBake::RefineBake(const Triangles& original, const Points& rest)
   for (int t = 0; t < mesh_.face_count(); ++t) longest_of_origin_.push_back(longest_edge(t).second);
 }
 
+std::shared_ptr<const RestCover> RefineBake::cover_of(const Snapshot& snapshot) {
+  std::shared_ptr<const RestCover>& cover = covers_[snapshot.triangles.get()];
+  if (!cover || !cover->is_of(snapshot))
+    cover = std::make_shared<const RestCover>(snapshot, original_);
+  return cover;
+}
+
 std::size_t RefineBake::add_frame(std::shared_ptr<const Snapshot> snapshot) {
-  maps_.emplace_back(std::move(snapshot), original_);
+  const auto cover = cover_of(*snapshot);
+  maps_.emplace_back(std::move(snapshot), cover);
   const FrameMap& map = maps_.back();
   std::vector<Vec2>& places = deformed_.emplace_back();
   const int original_vertices = map.snapshot().original_vertices;
@@ -108,7 +117,7 @@ void RefineBake::add_vertices(int t, std::size_t frame, int other,
 }
 
 std::vector<RefineBake::Parting> RefineBake::partings(int t, std::size_t frame) const {
-  const std::vector<int>& covering = maps_[frame].covering(mesh_.origin(t));
+  const std::span<const int> covering = maps_[frame].covering(mesh_.origin(t));
   std::vector<Parting> found;
   if (covering.size() == 1) return found;
   for (const int other : covering) {
@@ -214,6 +223,12 @@ Points RefineBake::deformed(std::size_t frame) const {
   Points result(2, static_cast<Eigen::Index>(places.size()));
   for (std::size_t v = 0; v < places.size(); ++v)
     result.col(static_cast<Eigen::Index>(v)) = places[v];
+  return result;
+}
+
+Points RefineBake::take_deformed(std::size_t frame) {
+  Points result = deformed(frame);
+  std::exchange(deformed_[frame], {});
   return result;
 }
 

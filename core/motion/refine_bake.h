@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -27,6 +28,8 @@ class RefineBake {
 
   const GrowingMesh& mesh() const { return mesh_; }
   Points deformed(std::size_t frame) const;
+  /// The same; the frame is gone then, so that it takes no memory twice.
+  Points take_deformed(std::size_t frame);
   /// The largest distance to the maps of all frames. [length]
   double deviation() const;
 
@@ -38,6 +41,7 @@ class RefineBake {
     std::optional<Edge> edge = std::nullopt;
   };
   std::vector<Parting> partings(int t, std::size_t frame) const;
+  std::shared_ptr<const RestCover> cover_of(const Snapshot& snapshot);
   void add_crossings(int t, std::size_t frame, int other, std::vector<Parting>& found) const;
   void add_vertices(int t, std::size_t frame, int other, std::vector<Parting>& found) const;
   std::optional<std::vector<Parting>> what_to_mend(int t, double tolerance) const;
@@ -51,6 +55,8 @@ class RefineBake {
   const Triangles& original_;
   std::vector<double> longest_of_origin_;  ///< edge by triangle of the drawing [length]
   std::vector<FrameMap> maps_;
+  /// By the triangles of a mesh, which many frames share.
+  std::map<const Triangles*, std::shared_ptr<const RestCover>> covers_;
   std::vector<std::vector<Vec2>> deformed_;  ///< by frame, by vertex
   std::set<int> unsettled_;                  ///< triangles that may have to be mended
 };

@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "core/run/adopted_pose.h"
+
 namespace foldless {
 namespace {
 
@@ -14,8 +16,9 @@ std::optional<States> states_after(const Frames& frames, const std::vector<Solve
   const bool is_last = frame + 1 == solved.size();
   const double next = is_last ? frames.animation().cycle.frames : solved[frame + 1].frame;
   States states;
-  const auto visit = [&](const auto& state) { states.push_back(state); };
-  if (!frames.solve(next, solved[frame].snapshot.get(), token, visit)) return std::nullopt;
+  const Snapshot& before = *solved[frame].snapshot;
+  const auto visit = [&](const auto& state) { states.push_back(adopted_pose(state, before)); };
+  if (!frames.solve(next, &before, token, visit)) return std::nullopt;
   if (!is_last && !states.empty()) states.pop_back();  // The next frame itself.
   return states;
 }

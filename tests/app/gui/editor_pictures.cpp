@@ -11,6 +11,7 @@
 #include "core/data_path.h"
 #include "tests/app/gui/folding_document.h"
 #include "tests/app/gui/headless_editor.h"
+#include "tests/app/gui/time_line_pictures.h"
 #include "tests/support/pictures.h"
 
 namespace foldless::test {
@@ -237,35 +238,6 @@ void draw_hidpi(const std::filesystem::path& folder) {
   headless.wait_until([&] { return !headless.editor().playback().is_solving(); }, 20);
   headless.settle();
   save_png(folder / "scale-200.png", headless.picture());
-}
-
-/// The time line and what comes out of it, at both sizes.
-void draw_time_line(const std::filesystem::path& folder) {
-  for (const int scale : {1, 2}) {
-    HeadlessEditor headless({1280 * scale, 800 * scale});
-    headless.set_content_scale(static_cast<float>(scale));
-    const auto shoot = [&](const std::string& name) {
-      headless.settle();
-      save_png(folder / (name + "-" + std::to_string(scale) + "00.png"), headless.picture());
-    };
-    Motion& motion = headless.editor().motion();
-    headless.editor().files().open_sample(data_path("assets/scenes/walk.json"));
-    headless.wait_until([&] { return motion.frames().status().is_done; }, 20);
-    shoot("time-line-proving");
-    headless.wait_until([&] { return motion.proof().state == MotionProofStatus::State::proved; },
-                        20);
-    motion.go_between(11.5);
-    headless.wait_until([&] { return motion.solved() != nullptr; }, 20);
-    motion.select(keys_of(motion.animation()));
-    shoot("time-line");
-    if (const auto easing = headless.find_words("Linear")) headless.click(*easing);
-    shoot("time-line-easing");
-    headless.key(Key::escape);
-    headless.key(Key::e, kControl);
-    shoot("export-animation");
-    if (const auto format = headless.find_words("Animated WebP (.webp)")) headless.click(*format);
-    shoot("export-animation-formats");
-  }
 }
 
 }  // namespace

@@ -193,7 +193,26 @@ TEST_F(TimeLine, AHandleDraggedAtThePlayHeadGetsAKeyThere) {
 
 TEST_F(TimeLine, ManyRowsAreScrolledByTheWheelAndNothingIsOutOfTheWindow) {
   EXPECT_LE(place().area.y + place().area.height, 800);
-  EXPECT_GE(place().rows_in_sight(), 5);
+  Draft& draft = headless_.editor().draft();
+  draft.begin_edit();
+  Document document = draft.document();
+  for (int vertex = 1; vertex < 10; ++vertex)
+    document = place_handle(document, {.vertex = vertex}).document;
+  draft.apply(document, Change::mesh);
+  draft.commit("Handles");
+  headless_.settle();
+  ASSERT_EQ(headless_.editor().document().handles.size(), 11U);
+  headless_.key(Key::i);
+  headless_.settle();
+  const int rows = static_cast<int>(time_line_rows(motion().animation()).size());
+  ASSERT_GT(rows, place().rows_in_sight());
+  headless_.move(at(5, 2));
+  for (int i = 0; i < rows; ++i) headless_.ui().receive(InputEvent(WheelTurned{-1, at(5, 2)}));
+  headless_.settle();
+  headless_.click({place().area.x + 20, place().y_of(place().rows_in_sight() - 1)});
+  headless_.settle();
+  EXPECT_EQ(headless_.editor().selection().ids(),
+            std::set{time_line_rows(motion().animation()).back().handle});
 }
 
 }  // namespace

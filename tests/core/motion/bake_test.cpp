@@ -107,6 +107,39 @@ TEST(Bake, VerticesAreAddedUntilTheToleranceIsKept) {
   EXPECT_GT(before, f.rest.cols() + 20);
 }
 
+/// The same, with arrays of its own.
+std::shared_ptr<const Snapshot> apart(const Snapshot& frame) {
+  auto copy = std::make_shared<Snapshot>(frame);
+  copy->triangles = std::make_shared<const Triangles>(*frame.triangles);
+  copy->rest = std::make_shared<const Points>(*frame.rest);
+  return copy;
+}
+
+TEST(Bake, FramesThatShareAMeshAreBakedAsThoseThatHaveTheirOwn) {
+  const Fixture f = test::square_grid(7);
+  FramesToBake shared = frames_of(f, 2, 20, 2);
+  auto later = std::make_shared<Snapshot>(*shared.snapshots[1]);
+  for (Eigen::Index v = 0; v < later->deformed.cols(); ++v)
+    later->deformed.col(v) = bent(0.1)(later->deformed.col(v));
+  auto slid = std::make_shared<Snapshot>(*later);
+  Points rest = *later->rest;
+  ASSERT_GT(rest.cols(), slid->original_vertices);
+  for (Eigen::Index v = slid->original_vertices; v < rest.cols(); ++v)
+    rest.col(v) += Vec2(0.003, 0.002);
+  slid->rest = std::make_shared<const Points>(rest);
+  shared.snapshots.insert(shared.snapshots.end(), {later, slid, later});
+  shared.moments = {0, 1, 2, 3, 4};
+  FramesToBake own = shared;
+  for (auto& snapshot : own.snapshots) snapshot = apart(*snapshot);
+  const auto nothing_between = [](std::size_t) { return std::optional<States>(States()); };
+  const auto a = bake(shared, {0.001, 100}, nothing_between, {});
+  const auto b = bake(own, {0.001, 100}, nothing_between, {});
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->rest, b->rest);
+  EXPECT_EQ(a->deviation, b->deviation);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(a->frames[i].deformed, b->frames[i].deformed) << i;
+}
+
 TEST(Bake, DeviationIsWhatItSays) {
   const Fixture f = test::square_grid(7);
   const FramesToBake frames = frames_of(f, 5, 20, 3);

@@ -41,7 +41,7 @@ TEST(FrameMap, AnOriginalTriangleIsCoveredByThoseThatShareAreaWithIt) {
     for (int other = 0; other < frame->triangles->cols(); ++other)
       if (share_area(corners_of(*frame->rest, frame->triangles->col(other)), corners))
         expected.insert(other);
-    const std::vector<int>& found = map.covering(t);
+    const auto found = map.covering(t);
     EXPECT_EQ(std::set<int>(found.begin(), found.end()), expected) << t;
     EXPECT_EQ(found.size(), expected.size());
     if (found.size() > 1) ++more_than_one;
