@@ -29,7 +29,7 @@ void MotionBake::update(const Document& document, const MotionFrames& frames, bo
   if (last == of_) return;
   of_ = last;
   count_ = status.count;
-  SolvedToBake wanted{document.original->triangles, frames.all(document),
+  SolvedToBake wanted{document.original->triangles, frames.solved(),
                       document.animation->cycle.loops, 0};
   pixel_ = length_of_a_pixel(box_round(wanted.solved), std::nullopt);
   wanted.tolerance = kTolerance * pixel_;

@@ -74,15 +74,18 @@ std::shared_ptr<const SolvedFrame> MotionFrames::between(double moment) {
   return before && solver_ ? moment_.at(moment, before, solver_) : nullptr;
 }
 
-std::vector<SolvedFrame> MotionFrames::all(const Document& document) const {
+std::vector<SolvedFrame> MotionFrames::solved() const {
   std::vector<SolvedFrame> frames;
   const FramesStatus progress = status();
   if (!progress.is_done) return frames;
-  for (int index = 0; index < static_cast<int>(progress.count); ++index) {
-    SolvedFrame solved = *frame(index);
-    solved.snapshot = pose_of(document, solved);
-    frames.push_back(std::move(solved));
-  }
+  for (int index = 0; index < static_cast<int>(progress.count); ++index)
+    frames.push_back(*frame(index));
+  return frames;
+}
+
+std::vector<SolvedFrame> MotionFrames::all(const Document& document) const {
+  std::vector<SolvedFrame> frames = solved();
+  for (SolvedFrame& frame : frames) frame.snapshot = pose_of(document, frame);
   return frames;
 }
 

@@ -35,7 +35,9 @@ class MotionFrames {
   std::shared_ptr<const SolvedFrame> between(double moment);
   /// What solves them; null without frames.
   const std::shared_ptr<const Frames>& solver() const { return solver_; }
-  /// All frames, with the meshes of pose_of(); none while they are not done.
+  /// All frames as the solver left them, which takes no memory; none while they are not done.
+  std::vector<SolvedFrame> solved() const;
+  /// The same with the meshes of pose_of().
   std::vector<SolvedFrame> all(const Document& document) const;
 
  private:
