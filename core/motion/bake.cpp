@@ -28,12 +28,13 @@ class Baking {
         hopeless_(hopeless),
         between_(between),
         refined_(frames.original, frames.snapshots.front()->rest->leftCols(
-                                      frames.snapshots.front()->original_vertices)) {
-    for (std::size_t i = 0; i < frames.snapshots.size(); ++i)
-      order_.push_back({i, 0, refined_.add_frame(frames.snapshots[i])});
-  }
+                                      frames.snapshots.front()->original_vertices)) {}
 
   bool run(const StatesBetween& states_between, const std::stop_token& token) {
+    for (std::size_t i = 0; i < frames_.snapshots.size(); ++i) {
+      if (token.stop_requested()) return false;
+      order_.push_back({i, 0, refined_.add_frame(frames_.snapshots[i])});
+    }
     double most = options_.vertex_limit * frames_.snapshots.front()->original_vertices;
     if (!refine(most, token)) return false;
     most = std::min(most, kMostForStates * refined_.mesh().vertex_count());

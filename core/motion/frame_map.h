@@ -14,10 +14,9 @@ namespace foldless {
 /// The map of a solved frame over the triangles of the original mesh, whatever flips and splits the
 /// frame's own triangulation has seen: it has all original vertices, where they were at rest. What
 /// lies in an original triangle is found along edges, so that a rest mesh may lie over itself.
-/// Not thread-safe: what is found is kept.
 class FrameMap {
  public:
-  /// `original`: 3 × #F, which has to outlive the map.
+  /// `original`: 3 × #F.
   FrameMap(std::shared_ptr<const Snapshot> snapshot, const Triangles& original);
   /// `cover` is of the snapshot's mesh.
   FrameMap(std::shared_ptr<const Snapshot> snapshot, std::shared_ptr<const RestCover> cover);

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "core/mesh/triangle.h"
@@ -11,12 +10,12 @@
 
 namespace foldless {
 
-/// Which triangles of a frame's mesh share area at rest with those of the original mesh. What is
-/// found is kept, in few bytes a triangle: frames of one mesh should have one of these.
-/// Not thread-safe.
+/// Which triangles of a frame's mesh share area at rest with those of the original mesh, in few
+/// bytes a triangle: thousands of frames may each have a mesh of their own. Frames of one mesh
+/// should have one of these.
 class RestCover {
  public:
-  /// Of the mesh of a snapshot. `original`: 3 × #F, which has to outlive it.
+  /// Of the mesh of a snapshot. `original`: 3 × #F.
   RestCover(const Snapshot& snapshot, const Triangles& original);
 
   /// Whether it is of the very mesh that the snapshot has.
@@ -24,20 +23,16 @@ class RestCover {
     return triangles_ == snapshot.triangles && rest_ == snapshot.rest;
   }
   /// The frame's triangles that share area at rest with an original one.
-  std::span<const int> covering(int triangle) const;
+  std::span<const int> covering(int triangle) const {
+    const auto t = static_cast<std::size_t>(triangle);
+    return std::span(covering_).subspan(first_[t], first_[t + 1] - first_[t]);
+  }
 
  private:
-  std::vector<int> find_covering(int triangle) const;
-  std::vector<int> neighbours(int triangle) const;
-
   std::shared_ptr<const Triangles> triangles_;
   std::shared_ptr<const Points> rest_;
-  const Triangles& original_;
-  std::vector<int> first_;  ///< of a vertex in `round_`, #V + 1
-  std::vector<int> round_;  ///< triangles by vertex
-  /// By original triangle: the one that covers it, or what of it is known.
-  mutable std::vector<int> alone_;
-  mutable std::unordered_map<int, std::vector<int>> several_;
+  std::vector<unsigned> first_;  ///< of an original triangle in `covering_`, #F + 1
+  std::vector<int> covering_;
 };
 
 }  // namespace foldless
