@@ -206,7 +206,8 @@ TEST(AnimateFaults, KilledAtAnyMoment) {
 }
 
 TEST(AnimateFaults, AFullDiskIsOneSentence) {
-  for (const char* main : {"a.gif", "a.glb", "a.json", "a.spine.json", "a.tscn", "pictures"}) {
+  for (const char* main : {"a.gif", "a.png", "a.webp", "a.foldless", "a.glb", "a.json",
+                           "a.spine.json", "a.tscn", "pictures"}) {
     const std::string said = Export(main).fault_of_full_disk();
     EXPECT_NE(said.find("No space left on device; make room there"), said.npos) << said;
     EXPECT_NE(said.find("out/"), said.npos) << said;
