@@ -11,7 +11,17 @@ namespace foldless {
 /// The first eight bytes of every PNG file.
 inline constexpr std::string_view kPngSignature{"\x89PNG\r\n\x1a\n", 8};
 
-/// CRC-32 of ISO 3309, as in PNG and zlib.
+/// CRC-32 of ISO 3309, as in PNG and zlib, of bytes that come piece by piece.
+class Crc32 {
+ public:
+  void add(std::string_view bytes);
+  std::uint32_t value() const { return ~state_; }
+
+ private:
+  std::uint32_t state_ = 0xFFFFFFFFU;
+};
+
+/// The same of bytes that are all there.
 std::uint32_t crc32_of(std::string_view bytes);
 
 /// A piece of a PNG file: what it is (four letters) and its bytes.

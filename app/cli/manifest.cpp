@@ -64,8 +64,13 @@ std::optional<ResultFile> entry_of(const fs::path& folder, const std::string& na
   if (!fs::is_regular_file(fs::symlink_status(file))) return std::nullopt;
   if (name.starts_with(kInFrames) && fs::is_symlink(fs::symlink_status(file.parent_path())))
     return std::nullopt;
-  const std::string bytes = read_file(file);
-  return ResultFile{name, bytes.size(), crc32_of(bytes)};
+  std::uintmax_t bytes = 0;
+  Crc32 crc;
+  read_blocks(file, [&](std::string_view block) {
+    bytes += block.size();
+    crc.add(block);
+  });
+  return ResultFile{name, bytes, crc.value()};
 }
 
 Manifest read_manifest(const fs::path& folder) {

@@ -62,6 +62,12 @@ auto timed(double& seconds, const Task& task) {
   return task();
 }
 
+/// What is left of a limit; both in processor seconds.
+std::optional<double> remaining(std::optional<double> limit, double spent) {
+  if (limit) *limit -= spent;
+  return limit;
+}
+
 /// Steps a run to its end, or until it is stopped, and writes frames on the way.
 class Loop {
  public:
@@ -141,14 +147,15 @@ int solve_one(const SolveCall& call) {
   apply_options(call, scene);
   Team team(call.threads.value_or(cores()));
   const WithTeam with(&team);
-  const Interrupt interrupt;
-  const StopWatch watch(
-      {.time_limit = call.time_limit, .is_interrupted = [&] { return interrupt.is_requested(); }});
   Solved solved;
   solved.scene = call.scene.string();
   solved.problem = problem_of(scene);
   solved.original_faces = static_cast<int>(scene.triangles.cols());
   Run run = timed(solved.seconds, [&] { return Run(solved.problem); });
+  // Until here there is nothing to keep: a signal ends the program as it ends any other.
+  const Interrupt interrupt;
+  const StopWatch watch({.time_limit = remaining(call.time_limit, solved.seconds),
+                         .is_interrupted = [&] { return interrupt.is_requested(); }});
   Results results(call.folder, call.frame_step.has_value(), figure_of(call, scene));
   if (!call.quiet) print_notices(loaded.notices);
   Loop(call, solved, results).finish(std::move(run), watch);

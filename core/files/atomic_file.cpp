@@ -145,16 +145,23 @@ void wait_for_writer(const fs::path& file, int descriptor, std::string& bytes) {
 
 }  // namespace
 
-std::string read_file(const fs::path& file) {
+void read_blocks(const fs::path& file, const std::function<void(std::string_view)>& take) {
   // Without O_NONBLOCK a pipe is opened when somebody opens its other end, perhaps never.
   const Descriptor in(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!in.is_open()) refuse_reading(file, errno);
-  std::string bytes;
+  std::size_t size = 0;
+  const auto add = [&](std::string_view bytes) {
+    size += bytes.size();
+    if (size > kMostBytes)
+      throw Error(file.string() + ": has more than " + std::to_string(kMostBytes) +
+                  " bytes, the most that is read");
+    take(bytes);
+  };
   struct stat status {};
-  if (::fstat(in.number(), &status) == 0) {
-    if (S_ISREG(status.st_mode))
-      bytes.reserve(std::min(static_cast<std::size_t>(status.st_size), kMostBytes));
-    if (S_ISFIFO(status.st_mode)) wait_for_writer(file, in.number(), bytes);
+  if (::fstat(in.number(), &status) == 0 && S_ISFIFO(status.st_mode)) {
+    std::string first;
+    wait_for_writer(file, in.number(), first);
+    add(first);
   }
   ::fcntl(in.number(), F_SETFL, O_RDONLY);  // what comes later is waited for
   char block[1 << 16];
@@ -162,12 +169,18 @@ std::string read_file(const fs::path& file) {
     const ssize_t n = ::read(in.number(), block, sizeof block);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) refuse_reading(file, errno);
-    if (n == 0) return bytes;
-    if (bytes.size() + static_cast<std::size_t>(n) > kMostBytes)
-      throw Error(file.string() + ": has more than " + std::to_string(kMostBytes) +
-                  " bytes, the most that is read");
-    bytes.append(block, static_cast<std::size_t>(n));
+    if (n == 0) return;
+    add({block, static_cast<std::size_t>(n)});
   }
+}
+
+std::string read_file(const fs::path& file) {
+  std::string bytes;
+  std::error_code ignored;
+  const std::uintmax_t size = fs::is_regular_file(file, ignored) ? fs::file_size(file, ignored) : 0;
+  if (!ignored) bytes.reserve(std::min<std::uintmax_t>(size, kMostBytes));
+  read_blocks(file, [&](std::string_view block) { bytes += block; });
+  return bytes;
 }
 
 void write_file_atomically(const fs::path& file, std::string_view bytes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,10 @@ namespace foldless {
 
 /// All bytes of a file. Throws Error when it is missing, a folder, unreadable or larger than 1 GiB.
 std::string read_file(const std::filesystem::path& file);
+
+/// The same bytes block by block, for what need not hold them all.
+void read_blocks(const std::filesystem::path& file,
+                 const std::function<void(std::string_view)>& take);
 
 /// Replaces a file as a whole: the bytes go to a temporary file in the same folder, reach the
 /// disk and then take the name, so that whatever happens either the old or the new file is there.

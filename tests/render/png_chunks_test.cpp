@@ -33,5 +33,17 @@ TEST(PngChunks, AChunkThatIsCutShortIsNone) {
   }
 }
 
+TEST(Crc32, IsTheOneOfTheStandardWhateverThePieces) {
+  const std::string check = "123456789";
+  EXPECT_EQ(crc32_of(check), 0xCBF43926U);
+  EXPECT_EQ(crc32_of(std::string(32, '\xFF')), 0xFF6CAB0BU);
+  for (std::size_t cut = 0; cut <= check.size(); ++cut) {
+    Crc32 crc;
+    crc.add(check.substr(0, cut));
+    crc.add(check.substr(cut));
+    EXPECT_EQ(crc.value(), 0xCBF43926U) << "cut after " << cut << " bytes";
+  }
+}
+
 }  // namespace
 }  // namespace foldless
