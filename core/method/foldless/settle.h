@@ -10,7 +10,7 @@ namespace foldless {
 /// How a stage at the targets descends.
 struct SettleSettings {
   /// ε: a percent off every k is worth 2 ε percent of E.
-  double exponent = 0.04;
+  double exponent = 0.08;
   FactorUse use = FactorUse::lagged;
 };
 

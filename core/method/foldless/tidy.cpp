@@ -24,7 +24,7 @@ constexpr double kCrowded = 0.1;
 constexpr int kLeewayWhenCrowded = 10;
 /// and what a round gives back may raise E Kᵉ by as much as it was.
 constexpr double kRiseOfACrowdedRound = 1;
-constexpr double kLargeExponent = 0.2;
+constexpr double kLargeExponent = 0.4;
 
 /// By which factor the bounds are larger for this mesh.
 int leeway_of(const Workspace& work) {

@@ -11,6 +11,8 @@ namespace workspace {
 
 /// Of an edge that is split. [D]
 constexpr double kShortestHalf = 1e-5;
+/// The part of the weights of barriers that is left where handles are held.
+constexpr double kBarriersWhereHeld = 0.05;
 
 SplitSettings split_settings(const RunSettings& settings) {
   return {.shortest_edge = kShortestHalf * settings.diagonal,
@@ -28,7 +30,13 @@ Workspace::Workspace(MeshPair start, Constraints handles, const RunSettings& run
       settings(&run_settings),
       parts(handles_of_components(mesh, constraints)) {}
 
-Energy Workspace::held_energy() const { return {settings->energy, held(constraints)}; }
+Energy Workspace::held_energy() const {
+  using workspace::kBarriersWhereHeld;
+  Energy energy{settings->energy, held(constraints)};
+  energy.settings.beta *= kBarriersWhereHeld;
+  energy.settings.gap_weight *= kBarriersWhereHeld;
+  return energy;
+}
 
 bool Workspace::is_feasible() const {
   const Points& u = mesh.deformed();

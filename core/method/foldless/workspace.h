@@ -41,7 +41,8 @@ struct Workspace {
 
   Workspace(MeshPair start, Constraints handles, const RunSettings& run_settings, Effort& effort);
 
-  /// The scene's energy with the handles held.
+  /// The scene's energy with the handles held, and a twentieth of the weights of its barriers: they
+  /// show handles the way round what would lock, and only spoil the shape that they end in.
   Energy held_energy() const;
   /// ‖P(u)‖².
   double error() const { return handle_error_squared(constraints, mesh.deformed()); }

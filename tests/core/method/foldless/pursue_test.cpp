@@ -89,6 +89,40 @@ TEST(Pursue, ADragThatNeverRestsEndsAtTheSameEnergyAsOneThatDoes) {
   EXPECT_NEAR(hasty_energy, patient_energy, 0.05 * patient_energy);
 }
 
+/// A bar with its left end held and the corners of its right end bent upwards, under ARAP.
+Problem bent_bar() {
+  const Shape shape = bar(4, 1, 10);
+  Problem problem{MeshPair(shape.triangles, shape.rest), find_density("arap"), {}, {}};
+  for (int v = 0; v < shape.rest.cols(); ++v) {
+    const Vec2 p = shape.rest.col(v);
+    const bool is_corner = p.x() == 4 && (p.y() == 0 || p.y() == 1);
+    if (p.x() != 0 && !is_corner) continue;
+    Handle handle;
+    handle.id = handle.vertex = v;
+    handle.target = is_corner ? Vec2(1.5 - 0.87 * (p.y() - 0.5), 1.5 + 0.5 * (p.y() - 0.5)) : p;
+    problem.handles.push_back(handle);
+  }
+  return problem;
+}
+
+// With all of the barriers in its first step a drag would begin with a jerk.
+TEST(Pursue, ADragThatBeginsAtRestBeginsWithTheShapeThatIsThere) {
+  const Problem problem = bent_bar();
+  Foldless method(problem);
+  while (method.step({})) {
+  }
+  ASSERT_EQ(method.outcome(), Outcome::gradient);
+  const Points rest = method.mesh().deformed();
+  Points targets(2, static_cast<Eigen::Index>(problem.handles.size()));
+  for (std::size_t i = 0; i < problem.handles.size(); ++i)
+    targets.col(static_cast<Eigen::Index>(i)) = problem.handles[i].target;
+  targets(0, 0) += 1e-9;
+  method.set_targets(targets);
+  ASSERT_EQ(method.step({})->phase, Phase::pursue);
+  const double moved = (method.mesh().deformed() - rest).colwise().norm().maxCoeff();
+  EXPECT_LT(moved, 0.04) << "one percent of D";
+}
+
 TEST(Pursue, IsValidOnRandomDragsWhateverIsCancelledAndExactlyHomeWhenItSaysSo) {
   std::set<Phase> phases;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {

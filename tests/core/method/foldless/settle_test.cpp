@@ -52,7 +52,7 @@ TEST(Settle, LeavesFewFlipsThatWouldGainSomething) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     OwnWorkspace own = arrived_workspace(seed);
     test::run_to_the_end(settle(own.work, {.exponent = 0}));
-    left += own.work.flip_edges(own.settings.energy);
+    left += own.work.flip_edges(own.work.held_energy().settings);
   }
   EXPECT_LT(left, 40) << "fewer than one a mesh";
 }

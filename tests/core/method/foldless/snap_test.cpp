@@ -33,7 +33,7 @@ TEST(Snap, SnapsExactlyWhereNoTriangleFoldsAndTheEnergyGrowsByLessThanHalf) {
     u(Eigen::all, work.constraints.vertices) = work.constraints.targets;
     const Objective& objective = work.system.objective();
     const bool folds = objective.largest_step(own.settings.energy, before, u - before) <= 1;
-    const Energy energy = work.held_energy();
+    const Energy energy{own.settings.energy, held(work.constraints)};
     const double E = objective.value(energy, before).total();
     const bool grows = !folds && objective.value(energy, u).total() > 1.5 * E;
     EXPECT_EQ(snap(work, own.settings.energy), !folds && !grows);

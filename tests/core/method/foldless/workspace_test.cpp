@@ -41,5 +41,13 @@ TEST(Workspace, ACopyAddsToTheSameEffort) {
   EXPECT_LT(own.work.mesh.vertex_count(), copy.mesh.vertex_count());
 }
 
+TEST(Workspace, WhereHandlesAreHeldBarriersHaveATwentiethOfTheirWeights) {
+  const OwnWorkspace own = test::arrived_workspace(3);
+  const Energy energy = own.work.held_energy();
+  EXPECT_TRUE(energy.constraints.held);
+  EXPECT_DOUBLE_EQ(20 * energy.settings.beta, own.settings.energy.beta);
+  EXPECT_DOUBLE_EQ(20 * energy.settings.gap_weight, own.settings.energy.gap_weight);
+}
+
 }  // namespace
 }  // namespace foldless
