@@ -13,19 +13,15 @@ namespace pursuit {
 constexpr double kShortCarry = 0.35;
 constexpr int kMostShortSteps = 3;
 
-/// Carries the handles to where they are held. A short way goes from one shape at rest to another;
-/// where an edge is in the way all of the barriers lead on.
-Steps<Progress> carry_to(Workspace& work, Energy energy) {
+/// Carries the handles to where they are held.
+Steps<Progress> carry_to(Workspace& work, const Energy& energy) {
   const auto carry = [&](const std::stop_token& token) {
     return carry_handles(work.system, work.mesh, energy, token);
   };
   for (int short_steps = 0; short_steps < kMostShortSteps;) {
     const VertexUpdate update = co_await vertex_update(carry);
     const bool has_arrived = update.step_length == 1;
-    if (!has_arrived) {
-      energy.settings = work.settings->energy;
-      work.flip_edges(energy.settings);
-    }
+    if (!has_arrived) work.flip_edges(energy.settings);  // an edge was in the way
     co_yield work.record(update, energy, Phase::pursue);
     if (has_arrived) co_return Progress::arrived;
     short_steps = update.step_length < kShortCarry ? short_steps + 1 : 0;
