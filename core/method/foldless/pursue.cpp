@@ -29,18 +29,29 @@ Steps<Progress> carry_to(Workspace& work, const Energy& energy) {
   co_return Progress::locked;
 }
 
-}  // namespace pursuit
-
-Steps<Progress> pursue(Workspace& work) {
-  Energy energy = work.held_energy();
+Steps<Progress> carry_in_legs(Workspace& work, Energy& energy) {
   const std::vector<Points> legs = legs_of(work);
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
     energy.constraints.targets = legs[leg];
-    const Progress progress = co_await pursuit::carry_to(work, energy);
+    const Progress progress = co_await carry_to(work, energy);
     if (progress == Progress::locked) co_return progress;
     if (leg + 1 < legs.size()) work.flip_edges(energy.settings);
   }
   co_return Progress::arrived;
+}
+
+}  // namespace pursuit
+
+// A drag begins at a shape that is a minimum with little barrier; all of it leads on where that
+// locks.
+Steps<Progress> pursue(Workspace& work) {
+  Energy energy = work.held_energy();
+  Progress progress = co_await pursuit::carry_in_legs(work, energy);
+  if (progress == Progress::locked) {
+    energy = {work.settings->energy, held(work.constraints)};
+    progress = co_await pursuit::carry_in_legs(work, energy);
+  }
+  co_return progress;
 }
 
 }  // namespace foldless
