@@ -126,7 +126,7 @@ TEST(Construct, LeavesBoundariesAloneThatAreOnTheirTargetsOrPartlyFree) {
 
 TEST(Construct, HeldDisksAreReachedByRunsThatEndSettledAndTidied) {
   int constructed = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Problem problem = test::disk_to_glued_polygon(seed);
     Foldless method(problem);
