@@ -15,10 +15,10 @@ inline constexpr std::string_view kPngSignature{"\x89PNG\r\n\x1a\n", 8};
 class Crc32 {
  public:
   void add(std::string_view bytes);
-  std::uint32_t value() const { return ~state_; }
+  std::uint32_t value() const { return value_; }
 
  private:
-  std::uint32_t state_ = 0xFFFFFFFFU;
+  std::uint32_t value_ = 0;
 };
 
 /// The same of bytes that are all there.
