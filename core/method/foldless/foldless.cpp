@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/method/foldless/approach.h"
+#include "core/method/foldless/approach_refined.h"
 #include "core/method/foldless/candidates.h"
 #include "core/method/foldless/common_motion.h"
 #include "core/method/foldless/construct.h"
@@ -95,6 +96,7 @@ void Foldless::set_targets(const Points& targets) {
 Steps<Outcome> Foldless::solve(Start start) {
   const bool is_drag = start == Start::drag;
   const std::optional<MeshPair> moved = co_await begin_cheaply(is_drag);
+  const bool goes_on = is_drag || problem_.mesh.deformed() != problem_.mesh.rest();
   const bool is_plain = is_drag || (!moved && legs_of(work_).size() == 1);
 
   Progress progress = Progress::arrived;
@@ -123,6 +125,8 @@ Steps<Outcome> Foldless::solve(Start start) {
   if (progress == Progress::locked)
     progress = co_await split_and_approach(is_drag ? FactorUse::lagged : FactorUse::own);
 
+  if (progress == Progress::locked && goes_on)
+    progress = co_await approach_refined(work_, is_drag ? work_.mesh : problem_.mesh);
   if (progress == Progress::locked) progress = co_await construct(work_, problem_.mesh, regions_);
   OtherWays ways(problem_.mesh, is_drag || !was_pursuit_locked);
   while (progress == Progress::locked && !ways.have_ended())
@@ -139,7 +143,7 @@ Steps<Outcome> Foldless::solve(Start start) {
     if (original) co_await go_back(work_, *original);
   }
   if (!is_drag) co_await try_candidates();
-  if (!is_drag) co_await uncrush(ways);
+  if (!goes_on) co_await uncrush(ways);
   co_return Outcome::gradient;
 }
 
@@ -244,7 +248,7 @@ Steps<> Foldless::try_candidates() {
   co_yield [this](Iteration& last) { work_.measure_again(last, work_.held_energy()); };
 }
 
-// Where triangles are crushed another way may end in a better mesh; the best one stays.
+// Where triangles are crushed another way, from rest, may end in a better mesh; the best one stays.
 Steps<> Foldless::uncrush(OtherWays& ways) {
   using namespace driver;
   if (problem_.mesh.face_count() > kLargestUncrushed || !is_crushed(work_.mesh)) co_return;
