@@ -21,8 +21,8 @@ bool Cholesky::factorize(const SparseSymmetric& matrix, double shift) {
   work_.single_is_of_the_factor = false;
   if (!values_ || values_.use_count() > 1) values_ = std::make_shared<Buffer<double>>();
   values_->reserve(symbolic_->values);
-  has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values_->data(), work_.updates) ==
-                matrix.size();
+  has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values_->data(), work_.updates,
+                                    token_) == matrix.size();
   return has_factor_;
 }
 

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/linear/multifrontal.h"
@@ -17,7 +19,10 @@ class Cholesky {
   /// Symbolic factorization of the pattern. The fill-reducing ordering is that of the vertex
   /// graph; with `keep_ordering` the previous one serves again (same number of unknowns).
   void analyze(const SparseSymmetric& matrix, bool keep_ordering = false);
-  /// Factorizes matrix + shift·I; false when that is not positive definite.
+  /// What may stop a factorization from now on.
+  void obey(std::stop_token token) { token_ = std::move(token); }
+  bool is_stopped() const { return token_.stop_requested(); }
+  /// Factorizes matrix + shift·I; false when that is not positive definite, or it was stopped.
   /// Precondition: analyze() was called with the same pattern.
   bool factorize(const SparseSymmetric& matrix, double shift = 0);
   /// True when analyze() was called.
@@ -50,6 +55,7 @@ class Cholesky {
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::shared_ptr<Buffer<double>> values_;
   Work work_;
+  std::stop_token token_;
   bool has_factor_ = false;
 };
 

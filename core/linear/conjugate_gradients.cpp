@@ -38,6 +38,10 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
       solution.end = ConjugateGradientEnd::slow;
       return solution;
     }
+    if (factor.is_stopped()) {
+      solution.end = ConjugateGradientEnd::stopped;
+      return solution;
+    }
     residual -= length * image;
     const Eigen::VectorXd next = precondition(residual);
     const double next_norm = residual.dot(next);

@@ -19,6 +19,7 @@ struct ConjugateGradientSettings {
 enum class ConjugateGradientEnd {
   converged,
   slow,       ///< gave up
+  stopped,    ///< as the factor is to obey
   indefinite  ///< met a direction p with pᵀAp ≤ 0
 };
 

@@ -35,8 +35,13 @@ int columns_together(int rows) { return 2 * std::max(8, 16384 / std::max(rows, 1
 class Multifrontal {
  public:
   Multifrontal(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-               double* values, double* updates)
-      : factor_(factor), matrix_(matrix), shift_(shift), values_(values), updates_(updates) {}
+               double* values, double* updates, const std::stop_token& token)
+      : factor_(factor),
+        matrix_(matrix),
+        shift_(shift),
+        values_(values),
+        updates_(updates),
+        token_(token) {}
 
   int run() {
     const std::vector<Subtree>& subtrees = factor_.subtrees;
@@ -65,6 +70,7 @@ class Multifrontal {
   /// The same, of one supernode.
   int eliminate(std::size_t k) const {
     const Supernode& s = factor_.supernodes[k];
+    if (token_.stop_requested()) return s.first;
     const Front front = front_of(s);
     const DenseKernels& kernels = dense_kernels();
     std::fill_n(front.panel.value, static_cast<std::size_t>(s.rows()) * s.columns, 0.0);
@@ -152,15 +158,16 @@ class Multifrontal {
   double shift_;
   double* values_;
   double* updates_;
+  const std::stop_token& token_;
 };
 
 }  // namespace
 
 // NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-              double* values, Buffer<double>& updates) {
+              double* values, Buffer<double>& updates, const std::stop_token& token) {
   updates.reserve(factor.updates);
-  return Multifrontal(factor, matrix, shift, values, updates.data()).run();
+  return Multifrontal(factor, matrix, shift, values, updates.data(), token).run();
 }
 
 }  // namespace foldless

@@ -37,6 +37,7 @@ Points moved(const MeshPair& mesh, const Constraints& constraints, const Points&
 VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
                            const std::stop_token& token) {
   const auto& [settings, constraints] = energy;
+  system.factor().obey(token);
   system.assemble(energy, mesh.deformed(), 1);
   const Points way = way_of_handles(mesh, constraints);
   std::optional<LaggedStep> lagged = lagged_carrying_step(system, settings, mesh.deformed(), way);

@@ -16,7 +16,8 @@ constexpr double kLargestLambda = 1e17;
 DampedSystem::DampedSystem(const MeshPair& mesh, const Constraints& constraints, Effort& effort)
     : NewtonSystem(mesh, constraints, effort), lambda_(kFirstLambda) {}
 
-bool DampedSystem::factorize_plain() {
+bool DampedSystem::factorize_plain(const std::stop_token& token) {
+  factor().obey(token);
   if (!factorize(*this, 0)) return false;
   lambda_ = kLambdaAfterSuccess;
   return true;
@@ -26,7 +27,8 @@ std::optional<double> DampedSystem::factorize_damped(bool plain_failed,
                                                      const std::stop_token& token) {
   analyze(*this);
   if (token.stop_requested()) return std::nullopt;
-  if (!plain_failed && factorize_plain()) return 0;
+  if (!plain_failed && factorize_plain(token)) return 0;
+  factor().obey(token);
   double mu = 0;
   for (bool first = true; lambda_ <= kLargestLambda; first = false) {
     if (token.stop_requested()) return std::nullopt;
@@ -35,6 +37,7 @@ std::optional<double> DampedSystem::factorize_damped(bool plain_failed,
       if (first) lambda_ /= kLambdaFactor;
       return mu;
     }
+    if (token.stop_requested()) return std::nullopt;
     lambda_ *= kLambdaFactor;
   }
   lambda_ = kFirstLambda;

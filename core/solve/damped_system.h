@@ -14,8 +14,9 @@ class DampedSystem : public NewtonSystem {
  public:
   DampedSystem(const MeshPair& mesh, const Constraints& constraints, Effort& effort);
 
-  /// True when ∇²E itself is positive definite; its factor then serves the next solve.
-  bool factorize_plain();
+  /// True when ∇²E itself is positive definite; its factor then serves the next solve. False also
+  /// when cancelled.
+  bool factorize_plain(const std::stop_token& token);
   /// Factorizes ∇²E + μI for the smallest μ that the damping tries: μ = 0 first unless
   /// `plain_failed` (the caller knows), then λ added cumulatively, ×10 a failure. Nothing when
   /// cancelled or when λ ran out of range, from where it begins anew; else μ.

@@ -34,6 +34,7 @@ VertexUpdate step_along(const Points& step, NewtonSystem& system, MeshPair& mesh
 
 std::optional<double> factorize_clamped(NewtonSystem& system, const std::stop_token& token,
                                         double last_shift) {
+  system.factor().obey(token);
   analyze(system);
   for (double mu = std::max(kLeastShift, last_shift / kShiftFactor); mu < kLargestShift;
        mu *= kShiftFactor) {
@@ -45,10 +46,11 @@ std::optional<double> factorize_clamped(NewtonSystem& system, const std::stop_to
 
 VertexUpdate Descent::step(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
                            const std::stop_token& token) {
+  system.factor().obey(token);
   if (clamping_ < 1) {
     system.assemble(energy, mesh.deformed(), clamping_);
     if (token.stop_requested()) return {.cancelled = true};
-    if (const std::optional<Points> step = step_if_definite(system)) {
+    if (const std::optional<Points> step = step_if_definite(system, token)) {
       VertexUpdate update = step_along(*step, system, mesh, energy);
       update.clamping = clamping_;
       after_partly_clamped(update.step_length);
@@ -75,13 +77,14 @@ VertexUpdate Descent::step(NewtonSystem& system, MeshPair& mesh, const Energy& e
 }
 
 /// Nothing where ∇²E as assembled is not positive definite.
-std::optional<Points> Descent::step_if_definite(NewtonSystem& system) const {
+std::optional<Points> Descent::step_if_definite(NewtonSystem& system,
+                                                const std::stop_token& token) const {
   if (use_ == FactorUse::lagged)
     if (std::optional<LaggedStep> lagged = lagged_newton_step(system)) {
       if (lagged->is_indefinite) return std::nullopt;
       return std::move(lagged->step);
     }
-  if (!factorize(system, 0)) return std::nullopt;
+  if (token.stop_requested() || !factorize(system, 0)) return std::nullopt;
   return newton_step(system);
 }
 

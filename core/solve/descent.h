@@ -30,7 +30,7 @@ class Descent {
                     const std::stop_token& token);
 
  private:
-  std::optional<Points> step_if_definite(NewtonSystem& system) const;
+  std::optional<Points> step_if_definite(NewtonSystem& system, const std::stop_token& token) const;
   void after_partly_clamped(double step_length);
   void after_failure();
   void after_clamped(double step_length);

@@ -46,6 +46,7 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(const Hessia
   if (!is_near(hessian.kind)) return std::nullopt;
   ConjugateGradientSolution solution =
       conjugate_gradients(hessian.matrix, b, cholesky_, {least_gain, kMostLaggedIterations});
+  if (solution.end == ConjugateGradientEnd::stopped) return std::nullopt;
   is_near_ = solution.iterations < kIterationsOfAFarFactor;
   if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;
   return solution;

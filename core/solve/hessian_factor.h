@@ -34,7 +34,10 @@ class HessianFactor {
   void outdate_pattern(int edges, int changed_edges);
   /// Orders and analyses the pattern where that is due.
   void analyze(const SparseSymmetric& matrix);
-  /// False when the Hessian + μI is not positive definite. Precondition: it is analysed.
+  /// What may stop factorizations and iterations from now on.
+  void obey(const std::stop_token& token) { cholesky_.obey(token); }
+  /// False when the Hessian + μI is not positive definite, or where it was stopped. Precondition:
+  /// it is analysed.
   bool factorize(const Hessian& hessian, double mu);
   /// Solves with the factor. Precondition: the last factorization succeeded.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) {
@@ -48,7 +51,7 @@ class HessianFactor {
   /// Says that ∇²E changed too much for the factor to serve another step.
   void set_far() { is_near_ = false; }
   /// Solves hessian x = b by conjugate gradients from this factor; nothing where it is of another
-  /// kind of Hessian or known to be too far from it, or turns out to be.
+  /// kind of Hessian or known to be too far from it, or turns out to be, or where it was stopped.
   std::optional<ConjugateGradientSolution> solve_later(const Hessian& hessian,
                                                        const Eigen::VectorXd& b, double least_gain);
   bool is_near(const HessianKind& kind) const {

@@ -10,7 +10,7 @@ std::optional<VertexUpdate> relax_vertices(DampedSystem& system, MeshPair& mesh,
       energy.settings,
       with_targets(energy.constraints, handle_positions(energy.constraints, mesh.deformed()))};
   system.assemble(relaxing, mesh.deformed());
-  if (system.factorize_plain()) return std::nullopt;
+  if (system.factorize_plain(token)) return std::nullopt;
   const std::optional<double> mu = system.factorize_damped(true, token);
   if (!mu) return VertexUpdate{.cancelled = token.stop_requested()};
   return move_vertices(system, mesh, relaxing, *mu);

@@ -107,6 +107,23 @@ TEST_P(CholeskyTest, SaysWhenAMatrixIsNotPositiveDefiniteAndGoesOn) {
   EXPECT_LT(residual(m, 1, cholesky.solve(b), b), 1e-12);
 }
 
+TEST_P(CholeskyTest, IsStoppedAndGoesOnUnderAnotherToken) {
+  const SparseSymmetric m = ring(GetParam(), 1);
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  std::stop_source stop;
+  cholesky.obey(stop.get_token());
+  ASSERT_TRUE(cholesky.factorize(m));
+  stop.request_stop();
+  EXPECT_TRUE(cholesky.is_stopped());
+  EXPECT_FALSE(cholesky.factorize(m));
+  EXPECT_FALSE(cholesky.has_factor());
+  cholesky.obey({});
+  ASSERT_TRUE(cholesky.factorize(m));
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(m.size());
+  EXPECT_LT(residual(m, 0, cholesky.solve(b), b), 1e-12);
+}
+
 TEST_P(CholeskyTest, AnOrderingServesAnotherPatternOfTheSameSize) {
   Cholesky cholesky;
   cholesky.analyze(ring(GetParam(), 1));

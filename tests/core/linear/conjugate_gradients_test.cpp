@@ -57,6 +57,22 @@ TEST(Multiply, IsTheProductOfTheWholeMatrix) {
   }
 }
 
+TEST(ConjugateGradients, StopWhenTheFactorIsToObey) {
+  const SparseSymmetric m = random_matrix(20, 1);
+  Cholesky factor = factor_of(changed(m, 20));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  const ConjugateGradientSettings settings{.least_gain = 1e-12, .most_iterations = 100};
+  ASSERT_GT(conjugate_gradients(m, b, factor, settings).iterations, 1)
+      << "the claim would be empty";
+  std::stop_source stop;
+  factor.obey(stop.get_token());
+  EXPECT_EQ(conjugate_gradients(m, b, factor, settings).end, ConjugateGradientEnd::converged);
+  stop.request_stop();
+  const ConjugateGradientSolution stopped = conjugate_gradients(m, b, factor, settings);
+  EXPECT_EQ(stopped.end, ConjugateGradientEnd::stopped);
+  EXPECT_EQ(stopped.iterations, 1);
+}
+
 // Both sizes: a few supernodes and many.
 class ConjugateGradientsTest : public testing::TestWithParam<int> {};
 

@@ -43,8 +43,10 @@ int first_failure(const SparseSymmetric& m, const std::vector<int>& order) {
   Eigen::MatrixXd a = permutation * test::dense(m) * permutation.transpose();
   for (int j = 0; j < m.size(); ++j) {
     if (!(a(j, j) > 0)) return j;
-    const Eigen::VectorXd column = a.col(j).tail(m.size() - j - 1);
-    a.bottomRightCorner(column.size(), column.size()) -= column * column.transpose() / a(j, j);
+    for (int i = j + 1; i < m.size(); ++i) {
+      const double part = a(i, j) / a(j, j);
+      if (part != 0) a.col(i).tail(m.size() - i) -= part * a.col(j).tail(m.size() - i);
+    }
   }
   return m.size();
 }

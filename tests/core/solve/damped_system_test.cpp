@@ -84,7 +84,7 @@ TEST(DampedSystem, ThePlainHessianIsNotTriedTwice) {
   SqueezedGrid s = with_smallest_eigenvalue(-0.05);
   DampedSystem system = s.system();
   system.assemble(s.energy, s.mesh.deformed());
-  EXPECT_FALSE(system.factorize_plain());
+  EXPECT_FALSE(system.factorize_plain({}));
   EXPECT_DOUBLE_EQ(system.factorize_damped(true, {}).value(), 0.1);
   EXPECT_EQ(s.effort.factorizations, 2);
 }

@@ -87,6 +87,16 @@ TEST(LaggedStep, AFailedFactorizationLeavesNoFactor) {
   EXPECT_FALSE(m.lagged(m.energy));
 }
 
+TEST(LaggedStep, StoppedThereIsNoneAndTheFactorServesOn) {
+  Moved m;
+  std::stop_source stop;
+  stop.request_stop();
+  m.newton.factor().obey(stop.get_token());
+  EXPECT_FALSE(m.lagged(m.energy));
+  m.newton.factor().obey({});
+  EXPECT_TRUE(m.lagged(m.energy));
+}
+
 TEST(LaggedStep, TellsAnIndefiniteHessian) {
   Moved m;
   SqueezedGrid indefinite(0.2);
