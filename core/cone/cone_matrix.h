@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <stop_token>
 #include <vector>
 
 #include "core/linear/cholesky.h"
@@ -47,7 +48,9 @@ class ConeMatrix {
 
   /// Unknowns, 2 #nodes.
   int size() const { return matrix_.size(); }
-  /// Assembles and factorizes; false when the matrix is not positive definite.
+  /// What may stop a factorization from now on.
+  void obey(const std::stop_token& token) { cholesky_.obey(token); }
+  /// Assembles and factorizes; false when the matrix is not positive definite, or it was stopped.
   bool factorize(const ConeProgram& program, const MiddleMatrices& middle);
   /// Solves with the factor of these arguments and two rounds of iterative refinement. The residual
   /// is summed element by element, which keeps what cancels in the sum of the matrix.

@@ -94,6 +94,7 @@ ConeSolution InteriorPoint::solve(double tolerance, const std::stop_token& token
       return {ConeStatus::infeasible, x_, z_, residuals_.objective, iteration + 1};
     can_go_on = best_.iterations_without_gain < kPatience && scale() && advance();
   }
+  if (token.stop_requested()) return {};
   best_.solution.status = best_.merit < std::max(tolerance, kAcceptable)
                               ? ConeStatus::solved
                               : ConeStatus::not_converged;
@@ -253,7 +254,10 @@ double InteriorPoint::step_length(const Direction& d) const {
 
 ConeSolution ConeSolver::solve(const ConeProgram& program, double tolerance,
                                const std::stop_token& token) {
-  return InteriorPoint(program, matrix_).solve(tolerance, token);
+  matrix_.obey(token);
+  ConeSolution solution = InteriorPoint(program, matrix_).solve(tolerance, token);
+  matrix_.obey({});
+  return solution;
 }
 
 bool ConeSolver::factorize_cost(const ConeProgram& program) {
