@@ -142,6 +142,7 @@ int status_of(const Solved& solved) {
 
 int solve_one(const SolveCall& call) {
   const Clock::time_point start = Clock::now();
+  const EndAtOnce nothing_to_keep(kExitInterrupted);
   LoadedScene loaded = load_scene_file(call.scene);
   Scene& scene = loaded.scene;
   apply_options(call, scene);
@@ -152,7 +153,6 @@ int solve_one(const SolveCall& call) {
   solved.problem = problem_of(scene);
   solved.original_faces = static_cast<int>(scene.triangles.cols());
   Run run = timed(solved.seconds, [&] { return Run(solved.problem); });
-  // Until here there is nothing to keep: a signal ends the program as it ends any other.
   const Interrupt interrupt;
   const StopWatch watch({.time_limit = remaining(call.time_limit, solved.seconds),
                          .is_interrupted = [&] { return interrupt.is_requested(); }});
@@ -194,6 +194,7 @@ int solve_all(const std::vector<SolveCall>& calls) {
   int status = kExitDone;
   for (const SolveCall& call : calls) {
     int ended = kExitBadInput;
+    std::cout.flush();  // a signal may end the next one at once
     try {
       ended = solve_one(call);
     } catch (const Error& error) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/run/interrupt.h"
 
+#include <unistd.h>
+
 #include <atomic>
 
 namespace foldless {
@@ -14,25 +16,37 @@ static_assert(std::atomic<bool>::is_always_lock_free, "or a handler must not set
 
 void note(int) { has_come = true; }
 
-/// Notes a signal from now on, unless it is ignored; what happened before stays in `previous`.
-void begin_noting(int signal, struct sigaction& previous) {
-  sigaction(signal, nullptr, &previous);
-  if (previous.sa_handler == SIG_IGN) return;
-  struct sigaction noting {};
-  noting.sa_handler = note;
-  noting.sa_flags = SA_RESTART;
-  sigaction(signal, &noting, nullptr);
-}
+/// What the program ends with.
+std::atomic<int> status_at_once = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "or a handler must not read it");
+
+void end_at_once(int) { _exit(status_at_once); }
 
 }  // namespace
 
-Interrupt::Interrupt() {
-  has_come = false;
-  for (std::size_t i = 0; i < kSignals.size(); ++i) begin_noting(kSignals[i], previous_[i]);
+EarlierSignals::~EarlierSignals() {
+  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &previous_[i], nullptr);
 }
 
-Interrupt::~Interrupt() {
-  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &previous_[i], nullptr);
+void EarlierSignals::replace(void (*handler)(int)) {
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], nullptr, &previous_[i]);
+    if (previous_[i].sa_handler == SIG_IGN) continue;
+    struct sigaction handling {};
+    handling.sa_handler = handler;
+    handling.sa_flags = SA_RESTART;
+    sigaction(kSignals[i], &handling, nullptr);
+  }
+}
+
+EndAtOnce::EndAtOnce(int status) {
+  status_at_once = status;
+  earlier_.replace(end_at_once);
+}
+
+Interrupt::Interrupt() {
+  has_come = false;
+  earlier_.replace(note);
 }
 
 bool Interrupt::is_requested() const { return has_come; }

@@ -2,7 +2,9 @@
 // A solve that is interrupted or runs out of time.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -54,6 +56,19 @@ void interrupt_with(int signal) {
 }
 
 TEST(Solve, InterruptedItWritesTheLastValidMesh) { interrupt_with(SIGINT); }
+
+TEST(Solve, InterruptedWhileItReadsItEndsWithTheStatusOfAnInterruption) {
+  const TemporaryFolder folder;
+  write_scene(folder / "scene.json", grid_problem(300, Vec2(2, 3)));  // takes a good while to read
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    Command command({"solve", folder / "scene.json", "-o", folder / "out"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    command.send(signal);
+    EXPECT_EQ(command.wait().status, 130) << signal;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/.foldless-staged"));
+    std::filesystem::remove_all(folder / "out");
+  }
+}
 
 TEST(Solve, GoesOnWhereSignalsAreIgnored) {
   // As in background jobs of a script and under nohup: processes inherit what is ignored.
