@@ -41,6 +41,16 @@ void append_obj_faces(std::string& text, const Triangles& triangles, bool is_tex
   }
 }
 
+/// Of a million triangles the text is a hundred megabytes: growing it would copy that some times.
+std::string with_room(const Triangles& triangles, const Points& points) {
+  constexpr Eigen::Index kOfAPoint = 100,
+                         kOfATriangle = 48;  // with texture coordinates, rarely more
+  std::string text;
+  text.reserve(
+      static_cast<std::size_t>(kOfAPoint * points.cols() + kOfATriangle * triangles.cols()));
+  return text;
+}
+
 Points texture_coordinates(const Points& rest) {
   const Vec2 low = rest.rowwise().minCoeff();
   const double side = (rest.rowwise().maxCoeff() - low).maxCoeff();
@@ -57,7 +67,7 @@ std::string sizes(const Triangles& triangles, const Points& points) {
 std::string obj_text(const Triangles& triangles, const Points& points, const Points* rest) {
   if (rest && rest->cols() > 0)
     return textured_obj_text(triangles, points, texture_coordinates(*rest));
-  std::string text;
+  std::string text = with_room(triangles, points);
   append_points(text, "v ", points, " 0\n");
   append_obj_faces(text, triangles, false);
   return text;
@@ -66,7 +76,7 @@ std::string obj_text(const Triangles& triangles, const Points& points, const Poi
 std::string textured_obj_text(const Triangles& triangles, const Points& points,
                               const Points& coordinates) {
   assert(coordinates.cols() == points.cols());
-  std::string text;
+  std::string text = with_room(triangles, points);
   append_points(text, "v ", points, " 0\n");
   append_points(text, "vt ", coordinates, "\n");
   append_obj_faces(text, triangles, true);
