@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A solve that is interrupted or runs out of time.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -59,14 +61,16 @@ TEST(Solve, InterruptedItWritesTheLastValidMesh) { interrupt_with(SIGINT); }
 
 TEST(Solve, InterruptedWhileItReadsItEndsWithTheStatusOfAnInterruption) {
   const TemporaryFolder folder;
-  write_scene(folder / "scene.json", grid_problem(300, Vec2(2, 3)));  // takes a good while to read
+  const std::string scene = folder / "scene.json";
+  ASSERT_EQ(::mkfifo(scene.c_str(), 0600), 0);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    Command command({"solve", folder / "scene.json", "-o", folder / "out"});
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    Command command({"solve", scene, "-o", folder / "out"});
+    const int pipe = ::open(scene.c_str(), O_WRONLY);  // once it reads
+    ASSERT_GE(pipe, 0);
     command.send(signal);
     EXPECT_EQ(command.wait().status, 130) << signal;
-    EXPECT_FALSE(std::filesystem::exists(folder / "out/.foldless-staged"));
-    std::filesystem::remove_all(folder / "out");
+    ::close(pipe);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
   }
 }
 

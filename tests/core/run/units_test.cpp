@@ -4,63 +4,18 @@
 
 #include <algorithm>
 
-#include "core/error.h"
 #include "core/method/methods.h"
 #include "core/run/active_part.h"
-#include "core/run/run.h"
-#include "tests/core/method/method_fixture.h"
+#include "tests/core/run/calm_scenes.h"
 #include "tests/core/run/run_fixture.h"
 
 namespace foldless {
 namespace {
 
-using test::finish;
+using test::calm_scenes;
+using test::End;
+using test::end_of;
 using test::placed;
-
-struct NamedProblem {
-  std::string name;
-  Problem problem;
-};
-
-/// Scenes whose paths do not hang on the rounding of their coordinates.
-std::vector<NamedProblem> scenes() {
-  return {
-      {"pulled dirichlet", test::pulled_grid("dirichlet", Vec2(0.21, 0.13))},
-      {"pulled lscm", test::pulled_grid("lscm", Vec2(0.11, -0.17))},
-      {"squeezed arap", test::pulled_grid("arap", Vec2(-0.31, -0.22))},
-      {"squeezed green-strain", test::pulled_grid("green-strain", Vec2(-0.23, -0.12))},
-      {"sheared symmetric-dirichlet", test::pulled_grid("symmetric-dirichlet", Vec2(-0.17, 0.35))},
-      {"turned disk", test::turned_disk({.ring = 4, .degrees = 70})}};
-}
-
-/// What must not change.
-struct End {
-  std::string outcome;
-  int factorizations = 0;
-  int flips = 0;
-  bool satisfied = false;
-  bool operator==(const End&) const = default;
-};
-
-std::ostream& operator<<(std::ostream& out, const End& end) {
-  return out << end.outcome << ", H " << end.factorizations << ", " << end.flips << " flips, "
-             << (end.satisfied ? "satisfied" : "not satisfied");
-}
-
-/// How a method ends; "refused" where it does not take the energy.
-End end_of(Problem problem, std::string_view method) {
-  problem.parameters.method = method;
-  try {
-    foldless::Run run(problem);
-    const std::vector<Iteration> records = finish(run, 20000);
-    EXPECT_TRUE(run.outcome());
-    const Iteration last = records.empty() ? Iteration() : records.back();
-    return {std::string(name_of(run.outcome().value())), last.factorizations, last.flips,
-            run.is_satisfied()};
-  } catch (const Error&) {
-    return {.outcome = "refused"};
-  }
-}
 
 double diagonal_of(const Problem& problem) {
   return active_diagonal(problem.mesh.triangles(), problem.mesh.rest(), problem.handles);
@@ -96,7 +51,7 @@ Problem with_idle_things(const Problem& problem) {
 class Units : public testing::TestWithParam<MethodRow> {};
 
 TEST_P(Units, TheUnitOfLengthHasNoInfluence) {
-  for (const auto& [name, problem] : scenes()) {
+  for (const auto& [name, problem] : calm_scenes()) {
     const End expected = end_of(problem, GetParam().name);
     for (const double scale : {1e-6, 1.3, 7.0, 1e6}) {
       SCOPED_TRACE(testing::Message() << name << " × " << scale);
@@ -106,7 +61,7 @@ TEST_P(Units, TheUnitOfLengthHasNoInfluence) {
 }
 
 TEST_P(Units, ThePlaceHasNoInfluence) {
-  for (const auto& [name, problem] : scenes()) {
+  for (const auto& [name, problem] : calm_scenes()) {
     SCOPED_TRACE(name);
     const Vec2 far = Vec2(1e3, 1e3) * diagonal_of(problem);
     EXPECT_EQ(end_of(placed(problem, 1, far), GetParam().name), end_of(problem, GetParam().name));
@@ -114,7 +69,7 @@ TEST_P(Units, ThePlaceHasNoInfluence) {
 }
 
 TEST_P(Units, WhatIsIdleHasNoInfluence) {
-  for (const auto& [name, problem] : scenes()) {
+  for (const auto& [name, problem] : calm_scenes()) {
     const End expected = end_of(problem, GetParam().name);
     const Problem wider = with_idle_things(problem);
     for (const double scale : {1.0, 1e-6, 1.3, 7.0, 1e6}) {

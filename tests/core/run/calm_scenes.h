@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/run/run.h"
+#include "tests/core/method/method_fixture.h"
+#include "tests/core/run/run_fixture.h"
+
+namespace foldless::test {
+
+struct NamedProblem {
+  std::string name;
+  Problem problem;
+};
+
+/// Scenes whose paths do not hang on the rounding of their coordinates.
+inline std::vector<NamedProblem> calm_scenes() {
+  return {{"pulled dirichlet", pulled_grid("dirichlet", Vec2(0.21, 0.13))},
+          {"pulled lscm", pulled_grid("lscm", Vec2(0.11, -0.17))},
+          {"squeezed arap", pulled_grid("arap", Vec2(-0.31, -0.22))},
+          {"squeezed green-strain", pulled_grid("green-strain", Vec2(-0.23, -0.12))},
+          {"sheared symmetric-dirichlet", pulled_grid("symmetric-dirichlet", Vec2(-0.17, 0.35))},
+          {"turned disk", turned_disk({.ring = 4, .degrees = 70})}};
+}
+
+/// What must not change.
+struct End {
+  std::string outcome;
+  int factorizations = 0;
+  int flips = 0;
+  bool satisfied = false;
+  bool operator==(const End&) const = default;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const End& end) {
+  return out << end.outcome << ", H " << end.factorizations << ", " << end.flips << " flips, "
+             << (end.satisfied ? "satisfied" : "not satisfied");
+}
+
+/// How a method ends; "refused" where it does not take the energy.
+inline End end_of(Problem problem, std::string_view method) {
+  problem.parameters.method = method;
+  try {
+    foldless::Run run(problem);
+    const std::vector<Iteration> records = finish(run, 20000);
+    EXPECT_TRUE(run.outcome());
+    const Iteration last = records.empty() ? Iteration() : records.back();
+    return {std::string(name_of(run.outcome().value())), last.factorizations, last.flips,
+            run.is_satisfied()};
+  } catch (const Error&) {
+    return {.outcome = "refused"};
+  }
+}
+
+}  // namespace foldless::test
