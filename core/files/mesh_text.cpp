@@ -41,10 +41,10 @@ void append_obj_faces(std::string& text, const Triangles& triangles, bool is_tex
   }
 }
 
-/// Of a million triangles the text is a hundred megabytes: growing it would copy that some times.
+/// For the text with texture coordinates, which hardly ever has more bytes. Of a million triangles
+/// it is a hundred megabytes: growing would copy it some times.
 std::string with_room(const Triangles& triangles, const Points& points) {
-  constexpr Eigen::Index kOfAPoint = 100,
-                         kOfATriangle = 48;  // with texture coordinates, rarely more
+  constexpr Eigen::Index kOfAPoint = 100, kOfATriangle = 48;
   std::string text;
   text.reserve(
       static_cast<std::size_t>(kOfAPoint * points.cols() + kOfATriangle * triangles.cols()));

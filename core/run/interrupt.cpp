@@ -24,11 +24,7 @@ void end_at_once(int) { _exit(status_at_once); }
 
 }  // namespace
 
-EarlierSignals::~EarlierSignals() {
-  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &previous_[i], nullptr);
-}
-
-void EarlierSignals::replace(void (*handler)(int)) {
+HandledSignals::HandledSignals(void (*handler)(int)) {
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals[i], nullptr, &previous_[i]);
     if (previous_[i].sa_handler == SIG_IGN) continue;
@@ -39,14 +35,18 @@ void EarlierSignals::replace(void (*handler)(int)) {
   }
 }
 
+HandledSignals::~HandledSignals() {
+  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &previous_[i], nullptr);
+}
+
 EndAtOnce::EndAtOnce(int status) {
   status_at_once = status;
-  earlier_.replace(end_at_once);
+  signals_.emplace(end_at_once);
 }
 
 Interrupt::Interrupt() {
   has_come = false;
-  earlier_.replace(note);
+  signals_.emplace(note);
 }
 
 bool Interrupt::is_requested() const { return has_come; }

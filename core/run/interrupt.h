@@ -3,37 +3,35 @@
 
 #include <array>
 #include <csignal>
+#include <optional>
 
 namespace foldless {
 
-/// What signals did before; does it again when it goes.
-class EarlierSignals {
+/// While it lives, SIGINT, SIGTERM and SIGHUP are handled so, but those that were ignored, as under
+/// nohup; after it as before.
+class HandledSignals {
  public:
-  EarlierSignals() = default;
-  ~EarlierSignals();
-  EarlierSignals(const EarlierSignals&) = delete;
-  EarlierSignals& operator=(const EarlierSignals&) = delete;
-
-  /// Lets SIGINT, SIGTERM and SIGHUP be handled so from now on, but those that are ignored.
-  void replace(void (*handler)(int));
+  explicit HandledSignals(void (*handler)(int));
+  ~HandledSignals();
+  HandledSignals(const HandledSignals&) = delete;
+  HandledSignals& operator=(const HandledSignals&) = delete;
 
  private:
   std::array<struct sigaction, 3> previous_{};
 };
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP end the program at once with a status: where it has
-/// nothing to keep yet. One that was ignored stays so. One at a time.
+/// While it lives, signals end the program at once with a status: where it has nothing to keep yet.
+/// One at a time.
 class EndAtOnce {
  public:
   explicit EndAtOnce(int status);
 
  private:
-  EarlierSignals earlier_;
+  std::optional<HandledSignals> signals_;
 };
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the program, whichever
-/// thread they reach, so that it can end by itself with whole files. One that was ignored stays so,
-/// as under nohup. One at a time.
+/// While it lives, signals are noted instead of ending the program, whichever thread they reach, so
+/// that it can end by itself with whole files. One at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -42,7 +40,7 @@ class Interrupt {
   bool is_requested() const;
 
  private:
-  EarlierSignals earlier_;
+  std::optional<HandledSignals> signals_;
 };
 
 }  // namespace foldless

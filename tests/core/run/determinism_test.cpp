@@ -37,12 +37,6 @@ std::optional<Result> result_of(Problem problem, std::string_view method) {
   }
 }
 
-double distortion_of(Problem problem, std::string_view method) {
-  problem.parameters.method = method;
-  Run run(problem);
-  return test::finish(run, 20000).back().distortion_energy;
-}
-
 /// By a right angle, which no rounding has a part in.
 Problem turned(Problem problem) {
   const auto turn = [](const Points& p) -> Points {
@@ -85,6 +79,11 @@ std::string name_of_row(const testing::TestParamInfo<MethodRow>& row) {
   return name;
 }
 
+void expect_same_distortion(const test::End& found, const test::End& expected) {
+  const double E_d = expected.distortion_energy;
+  EXPECT_NEAR(found.distortion_energy, E_d, 1e-6 * E_d);
+}
+
 class Determinism : public testing::TestWithParam<MethodRow> {};
 
 TEST_P(Determinism, TwiceItIsTheSameBits) {
@@ -96,7 +95,8 @@ TEST_P(Determinism, TwiceItIsTheSameBits) {
 }
 
 TEST_P(Determinism, AnyNumberOfThreadsGivesTheSameBits) {
-  const Problem problem = test::grid_problem(30, Vec2(0.4, 0.3));
+  // Of 2,048 triangles and more the sums of energies are shared.
+  const Problem problem = test::grid_problem(40, Vec2(0.4, 0.3));
   const std::optional<Result> alone = result_of(problem, GetParam().name);
   for (const int threads : {2, 3}) {
     SCOPED_TRACE(threads);
@@ -110,10 +110,9 @@ TEST_P(Determinism, AQuarterTurnOfThePlaneIsOfNoConsequence) {
   for (const auto& [name, problem] : calm_scenes()) {
     SCOPED_TRACE(name);
     const test::End expected = end_of(problem, GetParam().name);
-    EXPECT_EQ(end_of(turned(problem), GetParam().name), expected);
-    if (expected.outcome == "refused") continue;
-    const double E_d = distortion_of(problem, GetParam().name);
-    EXPECT_NEAR(distortion_of(turned(problem), GetParam().name), E_d, 1e-6 * E_d);
+    const test::End found = end_of(turned(problem), GetParam().name);
+    EXPECT_EQ(found, expected);
+    expect_same_distortion(found, expected);
   }
 }
 
@@ -125,14 +124,12 @@ TEST_P(Determinism, NumbersOfVerticesAndTrianglesAreOfNoConsequence) {
     const test::End expected = end_of(problem, GetParam().name);
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       SCOPED_TRACE(testing::Message() << name << ", seed " << seed);
-      const Problem other = renumbered(problem, seed);
-      const test::End found = end_of(other, GetParam().name);
+      const test::End found = end_of(renumbered(problem, seed), GetParam().name);
       EXPECT_EQ(found.outcome, expected.outcome);
       EXPECT_EQ(found.satisfied, expected.satisfied);
       if (expected.outcome == "refused" || expected.flips + found.flips > 0) continue;
       ++compared;
-      const double E_d = distortion_of(problem, GetParam().name);
-      EXPECT_NEAR(distortion_of(other, GetParam().name), E_d, 1e-6 * E_d);
+      expect_same_distortion(found, expected);
     }
   }
   EXPECT_GT(compared, 0) << "the claim would be empty";
