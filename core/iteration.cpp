@@ -27,6 +27,8 @@ std::string_view name_of(Phase phase) {
     case Phase::settle: return "settle";
     case Phase::coarse: return "coarse";
     case Phase::whitened: return "whitened";
+    case Phase::anew: return "anew";
+    case Phase::walk: return "walk";
   }
   return "";
 }

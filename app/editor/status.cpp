@@ -29,6 +29,8 @@ std::string solving_words(const Draft& draft) {
   if (draft.solving().iterations().empty()) return words;
   const Iteration& last = draft.solving().iterations().back();
   if (const std::string locked = locked_words(last); !locked.empty()) return words + locked;
+  if (last.phase == Phase::anew || last.phase == Phase::walk)
+    return words + ": on target, looking for a better shape";
   if (last.phase == Phase::coarse) words.append(" on a coarser mesh first");
   const MethodRow* method = find_method(parameters.method);
   if (method && !reads(*method, "inner_iterations"))

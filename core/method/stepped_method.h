@@ -15,6 +15,8 @@ class SteppedMethod : public Method {
   std::optional<Iteration> step(const std::stop_token& token) final;
   std::optional<Outcome> outcome() const final { return outcome_; }
   StageTimes times() const override { return effort_.times; }
+  /// All that it has spent so far.
+  const Effort& spent() const { return effort_; }
 
  protected:
   /// Leaves what it was about and begins with this: up to its first update.

@@ -6,6 +6,12 @@
 #include <utility>
 
 namespace foldless {
+namespace {
+
+/// For how long a step that is to be watched stays on screen.
+constexpr std::chrono::milliseconds kPicture(16);
+
+}  // namespace
 
 PacedRun::PacedRun(MethodStarter start) : start_(std::move(start)) {}
 
@@ -62,16 +68,19 @@ bool PacedRun::can_iterate() const {
 }
 
 std::optional<PacedRun::Clock::time_point> PacedRun::next_start() const {
-  if (!period_ || !last_start_ || step_) return std::nullopt;
-  return *last_start_ + *period_;
+  if (!last_start_ || step_ || !(period_ || is_walking_)) return std::nullopt;
+  const Clock::duration watched = is_walking_ ? kPicture : Clock::duration::zero();
+  return *last_start_ + std::max(period_.value_or(watched), watched);
 }
 
 PacedRun::Step PacedRun::iterate(const std::stop_token& token) {
   last_start_ = Clock::now();
+  is_walking_ = false;
   Step step;
   end_where_it_throws([&] {
     // Not assigned outright: GCC 12 lets step() write into `step` before it throws.
     if (const std::optional<Iteration> iteration = run_->step(token)) step.iteration = *iteration;
+    is_walking_ = step.iteration && step.iteration->phase == Phase::walk;
     step.was_cancelled = !step.iteration && !run_->outcome() && token.stop_requested();
     if (!step.was_cancelled) step_ = false;
   });

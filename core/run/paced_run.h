@@ -33,7 +33,8 @@ class PacedRun {
   void apply(const Inbox& messages);
   /// An iteration may begin: the run has no outcome, and it is running or one step is asked for.
   bool can_iterate() const;
-  /// When the pace lets the next iteration begin; nothing: at once.
+  /// When the pace lets the next iteration begin; nothing: at once. Steps of Phase::walk are no
+  /// faster than pictures are drawn.
   std::optional<Clock::time_point> next_start() const;
   Step iterate(const std::stop_token& token);
 
@@ -53,6 +54,7 @@ class PacedRun {
   bool step_ = false;
   std::string error_;
   std::optional<Clock::duration> period_;
+  bool is_walking_ = false;  ///< the last iteration was a step that is to be watched
   std::optional<Clock::time_point> last_start_;  ///< of an iteration
 };
 

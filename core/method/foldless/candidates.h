@@ -11,6 +11,10 @@ namespace foldless {
 /// How many ways from the start of a problem compete with the one that arrived first where the
 /// shape that it found is poor.
 inline constexpr int kCandidates = 3;
+/// Each until it has taken so many factorizations,
+inline constexpr int kMostOfACandidate = 30;
+/// of a mesh of at most so many triangles.
+inline constexpr int kLargestWithCandidates = 3000;
 
 /// One of them, from the mesh as it is: an approach in four straight legs, the first transport, an
 /// approach in eight.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/method/foldless/anew.h"
 #include "core/method/foldless/approach.h"
 #include "core/method/foldless/approach_refined.h"
 #include "core/method/foldless/candidates.h"
@@ -13,6 +14,7 @@
 #include "core/method/foldless/construct.h"
 #include "core/method/foldless/go_back.h"
 #include "core/method/foldless/infeasible.h"
+#include "core/method/foldless/inner_run.h"
 #include "core/method/foldless/legs.h"
 #include "core/method/foldless/pursue.h"
 #include "core/method/foldless/tidy.h"
@@ -32,12 +34,9 @@ constexpr int kLargestUncrushed = 2000;
 /// so many other ways are tried where triangles are crushed.
 constexpr int kWaysWhenCrushed = 6;
 
-/// Of a mesh of at most so many triangles,
-constexpr int kLargestWithCandidates = 3000;
+/// Of a mesh of at most kLargestWithCandidates triangles,
 /// other candidates are tried where σ₁/σ₂ of one is above this,
 constexpr double kSuspiciousDistortion = 50;
-/// each until it has taken so many factorizations.
-constexpr int kMostOfACandidate = 30;
 
 /// Vertices that came with the original mesh stay, and so do those before a handle, whose indices
 /// must not change.
@@ -61,13 +60,6 @@ RunSettings settings_of(const Problem& problem) {
   settings.first_removable = first_removable_vertex(problem);
   return settings;
 }
-
-/// A step of a run on another problem.
-struct InnerStep {
-  std::optional<Iteration> record;
-  bool cancelled = false;
-};
-bool is_cancelled(const InnerStep& step) { return step.cancelled; }
 
 /// Coarsening a large mesh takes long; it is done again with the next step when it was cancelled.
 struct Coarsening {
@@ -138,13 +130,18 @@ Steps<Outcome> Foldless::solve(Start start) {
   }
 
   co_await tidy(work_);
-  if (is_drag) {
-    const auto original = original_triangles(problem_, settings_.first_removable);
-    if (original) co_await go_back(work_, *original);
-  }
+  if (is_drag) co_await forget_the_way();
   if (!is_drag) co_await try_candidates();
   if (!goes_on) co_await uncrush(ways);
   co_return Outcome::gradient;
+}
+
+// Where a hand rests its shape is not to tell on which way it came.
+Steps<> Foldless::forget_the_way() {
+  const auto original = original_triangles(problem_, settings_.first_removable);
+  if (!original) co_return;
+  co_await go_back(work_, *original);
+  if (!does_way_matter(regions_)) co_await start_anew(work_, problem_, *original, dense_);
 }
 
 // What the handles of a part do together costs no step. Where it is not all of their way the mesh
@@ -172,7 +169,7 @@ Steps<> Foldless::coarse_to_fine() {
   co_await vertex_update(coarsen);
   if (!coarse) co_return;
   Foldless run(coarse->problem, dense_);
-  co_await run_inside(run, Phase::coarse);
+  co_await run_inside(run, Phase::coarse, effort());
   if (run.outcome() != Outcome::gradient) co_return;
   std::optional<ProlongedMesh> fine =
       prolonged({run.mesh(), coarse->vertices}, work_.mesh, settings_.energy);
@@ -181,27 +178,12 @@ Steps<> Foldless::coarse_to_fine() {
   work_.set_mesh(std::move(fine->mesh));
 }
 
-Steps<> Foldless::run_inside(Foldless& run, Phase phase) {
-  const Effort before = effort();
-  const auto next = [&run](const std::stop_token& token) {
-    const std::optional<Iteration> record = run.step(token);
-    return driver::InnerStep{record, !record && !run.outcome()};
-  };
-  while (!run.outcome()) {
-    driver::InnerStep step = co_await vertex_update(next);
-    effort() = before + run.effort();
-    if (!step.record) break;
-    step.record->phase = phase;
-    co_yield *step.record;
-  }
-}
-
 // Where triangles are far longer than wide, as the linear map that makes the mesh round sees them.
 Steps<Progress> Foldless::solve_whitened() {
   const std::optional<WhitenedProblem> whitened = whitened_problem(problem_);
   if (!whitened) co_return Progress::locked;
   Foldless run(whitened->problem, dense_);
-  co_await run_inside(run, Phase::whitened);
+  co_await run_inside(run, Phase::whitened, effort());
   if (run.outcome() != Outcome::gradient) co_return Progress::locked;
   std::optional<MeshPair> mesh = without_whitening(run.mesh(), whitened->map, problem_);
   if (!mesh) co_return Progress::locked;

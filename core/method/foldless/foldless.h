@@ -48,10 +48,9 @@ class Foldless final : public SteppedMethod {
   /// never in a drag.
   Steps<std::optional<MeshPair>> begin_cheaply(bool is_drag);
   Steps<> coarse_to_fine();
-  /// Steps of a run on another problem, whose records get this phase.
-  Steps<> run_inside(Foldless& run, Phase phase);
   Steps<Progress> solve_whitened();
   Steps<Progress> split_and_approach(FactorUse use);
+  Steps<> forget_the_way();
   Steps<> try_candidates();
   Steps<> uncrush(OtherWays& ways);
   bool split_at_handles();

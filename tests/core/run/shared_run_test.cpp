@@ -14,7 +14,7 @@ namespace {
 
 /// A bar of about so many triangles whose ends are twisted against each other: edges flip.
 Problem twisted_bar(int cells) {
-  const Shape shape = bar(4, 1, cells);
+  const Shape shape = foldless::bar(4, 1, cells);
   Problem problem;
   problem.mesh = MeshPair(shape.triangles, shape.rest, shape.rest);
   problem.energy = find_density("arap");

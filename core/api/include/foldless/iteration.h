@@ -15,7 +15,9 @@ enum class Phase {
   construct,  ///< `foldless`: a map onto a held boundary, whatever it was before
   settle,     ///< `foldless`: at the targets, down to the minimum of the scene's energy
   coarse,     ///< `foldless`: one of these on a coarser mesh, from which the mesh will begin
-  whitened    ///< `foldless`: one of these with both planes seen through a linear map
+  whitened,   ///< `foldless`: one of these with both planes seen through a linear map
+  anew,       ///< `foldless`: one of these from rest, after a drag, for a shape without its way
+  walk        ///< `foldless`: from the shape of a drag to that one
 };
 
 /// How a run ended.
@@ -36,8 +38,8 @@ std::string_view name_of(Outcome outcome);
 std::string_view name_of(Phase phase);
 
 /// The record of one vertex update: one row of iterations.csv. Lengths, areas and energies are
-/// in the units of the input mesh; the counters are totals since the run began. In Phase::coarse
-/// and Phase::whitened it is that of the other mesh, which is not the one on show.
+/// in the units of the input mesh; the counters are totals since the run began. In Phase::coarse,
+/// Phase::whitened and Phase::anew it is that of the other mesh, which is not the one on show.
 struct Iteration {
   int outer = 0;                         ///< round of the outer loop, from 0
   int inner = 0;                         ///< Update steps in this round so far
