@@ -24,7 +24,7 @@ inline std::string words_of_exception(const std::exception& failure,
                                       const std::filesystem::path& file) noexcept {
   try {
     if (dynamic_cast<const std::bad_alloc*>(&failure))
-      return file.string() + ": " + words_of_exception(failure);
+      return std::string(file).append(": ").append(words_of_exception(failure));
   } catch (...) {
     return "out of memory";
   }
