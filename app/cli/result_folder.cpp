@@ -123,6 +123,13 @@ ResultFolder::~ResultFolder() { remove_own(staged()); }
 
 fs::path ResultFolder::staged() const { return folder_ / kStaged; }
 
+std::string ResultFolder::with_final_names(std::string message) const {
+  const std::string internal = (staged() / "").string(), known = (folder_ / "").string();
+  for (std::size_t at = 0; (at = message.find(internal, at)) != message.npos; at += known.size())
+    message.replace(at, internal.size(), known);
+  return message;
+}
+
 void ResultFolder::expect_free(const std::string& name) const {
   const fs::path file = folder_ / name;
   const fs::path frames = folder_ / kFrames;
