@@ -17,6 +17,7 @@
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/small_file.h"
 
 namespace foldless {
 namespace {
@@ -105,13 +106,7 @@ void AutosaveFolder::release() {
 }
 
 Origin AutosaveFolder::origin() const {
-  std::string text;
-  try {
-    text = read_file(path_ / kOrigin);
-  } catch (const Error&) {
-    return {};
-  }
-  const auto json = nlohmann::json::parse(text, nullptr, false);
+  const auto json = nlohmann::json::parse(read_small_file(path_ / kOrigin), nullptr, false);
   const auto text_of = [&](const char* key) -> std::string {
     if (!json.is_object() || !json.contains(key) || !json[key].is_string()) return {};
     return json[key].get<std::string>();
