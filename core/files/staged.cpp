@@ -12,10 +12,10 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/folder_names.h"
 #include "core/files/left_over.h"
 
 namespace foldless {
@@ -41,14 +41,10 @@ bool is_random_part(std::string_view text) {
 
 void remove_leftovers(const fs::path& result) {
   const std::string prefix = staged_prefix(result);
-  std::vector<fs::path> left;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder_of(result), ignored)) {
-    const std::string name = entry.path().filename();
+  const fs::path folder = folder_of(result);
+  for (const std::string& name : names_in_folder(folder))
     if (name.starts_with(prefix) && is_random_part(name.substr(prefix.size())))
-      left.push_back(entry.path());
-  }
-  for (const fs::path& path : left) remove_left_over(path);
+      remove_left_over(folder / name);
 }
 
 Staged::Staged(fs::path result, What what) : result_(std::move(result)) {
