@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "render/image.h"
+#include "render/jpeg_scans.h"
 #include "render/layered/layer_formats.h"
 #include "render/png_chunks.h"
 
@@ -89,10 +90,12 @@ Image decode_jpeg(std::string_view file) {
                           &colour_space) != 0)
     throw damaged();
   check_image_size(width, height);
+  check_jpeg_scans(file, long{width} * height);
   Image image(width, height);
   const bool is_cmyk = colour_space == TJCS_CMYK || colour_space == TJCS_YCCK;
   if (tjDecompress2(jpeg.get(), bytes_of(file), file.size(), image.pixels.data(), width, 0, height,
-                    is_cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT) != 0)
+                    is_cmyk ? TJPF_CMYK : TJPF_RGBA,
+                    TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS | TJFLAG_STOPONWARNING) != 0)
     throw damaged();
   if (is_cmyk) convert_from_cmyk(image);
   return image;

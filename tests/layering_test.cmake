@@ -5,9 +5,9 @@
 # Regular expressions for what a file may include. Quoted includes are paths from the project's
 # root; the others are listed with their angle bracket.
 set(STD "<[a-z_]+>")
-set(POSIX "<(fcntl|unistd|poll|pthread|sched|spawn|signal|sys/[a-z]+)\\.h>")
+set(POSIX "<(dirent|fcntl|unistd|poll|pthread|sched|spawn|signal|sys/[a-z]+)\\.h>")
 set(IMAGE_CODECS "<(png|gif_lib|turbojpeg|webp/[a-z_]+|zip|zlib|liblzf/lzf)\\.h>|<pugixml\\.hpp>")
-set(CORE "core/(error|handle|iteration|snapshot|stage_times|data_path)\\.h")
+set(CORE "core/(error|exception_words|handle|iteration|snapshot|stage_times|data_path)\\.h")
 set(PLAIN "${STD}|${POSIX}")
 
 file(GLOB_RECURSE SOURCES RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/core/* ${SOURCE_DIR}/render/*

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -32,22 +33,52 @@ class Pool {
         watched_(static_cast<std::size_t>(options.threads)) {}
 
   std::vector<BenchRow> run(const BenchObserver& observer) {
-    std::vector<std::jthread> workers;
-    for (std::size_t i = 0; i < watched_.size(); ++i) workers.emplace_back([this, i] { work(i); });
     std::vector<BenchRow> finished;
+    std::vector<std::jthread> workers;
+    workers.reserve(watched_.size());
     std::unique_lock lock(mutex_);
-    while (ended_ < workers.size()) {
+    try {
+      for (std::size_t i = 0; i < watched_.size(); ++i)
+        workers.emplace_back([this, i] { work(i); });
+      watch(workers.size(), observer, finished, lock);
+    } catch (...) {
+      stop_all();  // else the runs would go on to their ends before anybody is told
+      throw;
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    return finished;
+  }
+
+ private:
+  /// Holds the lock but while it waits.
+  void watch(std::size_t workers, const BenchObserver& observer, std::vector<BenchRow>& finished,
+             std::unique_lock<std::mutex>& lock) {
+    while (ended_ < workers) {
       changed_.wait_for(lock, std::chrono::milliseconds(10));
       stop_late_runs();
       if (observer.is_interrupted && observer.is_interrupted()) stop_all();
       report(observer, finished);
     }
     report(observer, finished);  // workers may all have ended before the first look
-    return finished;
   }
 
- private:
   void work(std::size_t worker) {
+    std::exception_ptr failure;
+    try {
+      work_off(worker);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    if (failure) {
+      failure_ = failure;
+      stop_all();
+    }
+    ++ended_;
+    changed_.notify_one();
+  }
+
+  void work_off(std::size_t worker) {
     Team team(options_.team);
     const WithTeam with(&team);
     std::unique_lock lock(mutex_);
@@ -56,8 +87,6 @@ class Pool {
       rows_[index] = repeated(index, worker, lock);
       changed_.notify_one();
     }
-    ++ended_;
-    changed_.notify_one();
   }
 
   /// Holds the lock but while it runs.
@@ -112,9 +141,10 @@ class Pool {
   const BenchOptions& options_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::size_t next_ = 0;      ///< the next job to take
-  std::size_t reported_ = 0;  ///< jobs passed on
-  std::size_t ended_ = 0;     ///< workers that have ended
+  std::size_t next_ = 0;        ///< the next job to take
+  std::size_t reported_ = 0;    ///< jobs passed on
+  std::size_t ended_ = 0;       ///< workers that have ended
+  std::exception_ptr failure_;  ///< of a worker
   bool is_stopped_ = false;
   std::vector<std::optional<BenchRow>> rows_;
   std::vector<std::optional<Watched>> watched_;  ///< one a worker; empty between runs

@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <limits>
+#include <new>
 
 #include "app/bench/drag_run.h"
 #include "core/energy/constraints.h"
@@ -89,6 +90,8 @@ BenchRow run_job(const BenchJob& job, const std::stop_token& token) {
   row.diagonal = active_diagonal(scene.triangles, scene.rest, scene.handles);
   try {
     run_to_its_end(job, token, row);
+  } catch (const std::bad_alloc&) {
+    throw;  // says nothing of the method, and may go well another time
   } catch (const std::exception& error) {
     row.outcome = "refused";
     row.note = error.what();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/files/text_lines.h"
+#include "core/scene/json_object.h"
 
 namespace foldless {
 namespace {
@@ -114,11 +115,10 @@ TextTable drag_csv_table(std::span<const BenchRow> rows) {
 JsonNode drag_node(std::span<const BenchRow> rows) {
   JsonNode::Array array;
   for (const BenchRow& row : rows) {
-    JsonNode::Object object{{"drag", JsonNode{row.scene}},
-                            {"energy", JsonNode{row.energy}},
-                            {"method", JsonNode{row.method}},
-                            {"outcome", JsonNode{row.outcome}},
-                            {"valid", JsonNode{row.is_valid}}};
+    JsonNode::Object object = object_of(
+        JsonMember("drag", JsonNode{row.scene}), JsonMember("energy", JsonNode{row.energy}),
+        JsonMember("method", JsonNode{row.method}), JsonMember("outcome", JsonNode{row.outcome}),
+        JsonMember("valid", JsonNode{row.is_valid}));
     const DragSummary summary = drag_summary(row);
     for (const DragColumn& column : kDragColumns)
       object.emplace_back(column.name, JsonNode{column.value(row, summary)});

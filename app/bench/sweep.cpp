@@ -13,6 +13,7 @@
 #include "app/bench/parameters_node.h"
 #include "core/energy/densities.h"
 #include "core/error.h"
+#include "core/scene/json_object.h"
 #include "core/scene/json_value.h"
 #include "core/scene/parameter_keys.h"
 
@@ -114,24 +115,19 @@ std::string words_of_machine() {
 }
 
 std::string line_of(BenchRow row, const Sweep& sweep, std::size_t jobs) {
-  JsonNode::Object record{
-      {"version", node_of(sweep.version)},
-      {"machine", node_of(sweep.machine)},
-      {"suite", node_of(sweep.suite)},
-      {"seed", node_of(std::to_string(sweep.seed))},
-      {"time_limit", node_of(sweep.time_limit)},
-      {"repeat", node_of(sweep.repeat)},
-      {"jobs", node_of(static_cast<double>(jobs))},
-      {"job", node_of(static_cast<double>(row.job))},
-      {"scene", node_of(row.scene)},
-      {"difficulty", node_of(row.difficulty)},
-      {"energy", node_of(row.energy)},
-      {"method", node_of(row.method)},
-      {"parameters", parameters_node(row.parameters, *find_density(row.energy))},
-      {"satisfied", {row.is_satisfied}},
-      {"valid", {row.is_valid}},
-      {"outcome", node_of(row.outcome)},
-      {"note", node_of(row.note)}};
+  JsonNode::Object record = object_of(
+      JsonMember("version", node_of(sweep.version)), JsonMember("machine", node_of(sweep.machine)),
+      JsonMember("suite", node_of(sweep.suite)),
+      JsonMember("seed", node_of(std::to_string(sweep.seed))),
+      JsonMember("time_limit", node_of(sweep.time_limit)),
+      JsonMember("repeat", node_of(sweep.repeat)),
+      JsonMember("jobs", node_of(static_cast<double>(jobs))),
+      JsonMember("job", node_of(static_cast<double>(row.job))),
+      JsonMember("scene", node_of(row.scene)), JsonMember("difficulty", node_of(row.difficulty)),
+      JsonMember("energy", node_of(row.energy)), JsonMember("method", node_of(row.method)),
+      JsonMember("parameters", parameters_node(row.parameters, *find_density(row.energy))),
+      JsonMember("satisfied", {row.is_satisfied}), JsonMember("valid", {row.is_valid}),
+      JsonMember("outcome", node_of(row.outcome)), JsonMember("note", node_of(row.note)));
   for (const auto& field : kWholeFields) record.emplace_back(field.name, node_of(field.in(row)));
   for (const auto& field : kRealFields) record.emplace_back(field.name, any_number(field.in(row)));
   return json_line({std::move(record)});

@@ -70,6 +70,7 @@ SweepFile::SweepFile(std::filesystem::path file) : file_(std::move(file)) {
     const std::string text = read_file(file_);
     records_ = records_in(text, file_.string());
     cut_off_ = text.size() - whole_lines(text);
+    sync_folder(std::filesystem::absolute(file_).parent_path());
     if (cut_off_ > 0 && ftruncate(descriptor_, static_cast<off_t>(whole_lines(text))) != 0)
       refuse_file(file_);
   } catch (...) {
@@ -87,6 +88,7 @@ void SweepFile::append(const std::string& line) {
     if (count < 0 && errno != EINTR) refuse_file(file_);
     if (count > 0) written += static_cast<std::size_t>(count);
   }
+  if (fsync(descriptor_) != 0) refuse_file(file_);
 }
 
 }  // namespace foldless

@@ -36,7 +36,7 @@ class SweepFile {
   const std::vector<SweepRecord>& records() const { return records_; }
   /// Bytes of a line that was cut off.
   std::size_t cut_off() const { return cut_off_; }
-  /// Adds a line, which is in the file when this returns. Throws Error when the disk is full.
+  /// Adds a line, which has reached the disk when this returns. Throws Error when it is full.
   void append(const std::string& line);
 
  private:

@@ -43,8 +43,8 @@ class Animate {
     fill_in();
     expect_no_source(animation_);
     const auto progress = [&](std::size_t done, std::size_t count) { show("solved", done, count); };
-    auto solved = solve_animation(
-        frames_, {moments_to_solve(), closing_tolerance(scene_->rest), progress}, token_);
+    const FramesWanted wanted{moments_to_solve(), closing_tolerance(scene_->rest), progress};
+    auto solved = naming(call_.scene, [&] { return solve_animation(frames_, wanted, token_); });
     if (!solved) return kExitInterrupted;
     gap_ = solved->gap;
     animation_.solved = std::move(solved->frames);

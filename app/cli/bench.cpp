@@ -18,12 +18,13 @@
 #include "app/bench/random_suite.h"
 #include "app/bench/scale_suite.h"
 #include "app/cli/bench_sweep.h"
+#include "app/cli/bench_tables.h"
 #include "app/cli/calls.h"
 #include "app/cli/command_line.h"
 #include "app/cli/problem.h"
 #include "app/cli/result_folder.h"
 #include "app/cli/scene_files.h"
-#include "core/files/atomic_file.h"
+#include "core/error.h"
 #include "core/method/methods.h"
 #include "core/run/interrupt.h"
 
@@ -40,9 +41,17 @@ BenchScene scene_of(const std::filesystem::path& file) {
   return {name_of_scene(file), "", std::move(loaded.scene)};
 }
 
+void expect_scenes(const BenchCall& call, std::size_t count) {
+  for (const int index : call.only)
+    if (static_cast<std::size_t>(index) >= count)
+      throw Error("--only " + std::to_string(index) + ": there is no such scene, only " +
+                  std::to_string(count) + ", counted from 0");
+}
+
 /// Those of `count` scenes that are wanted.
 std::vector<BenchScene> wanted(const BenchCall& call, std::size_t count,
                                const std::function<BenchScene(int)>& scene) {
+  expect_scenes(call, count);
   std::vector<BenchScene> scenes;
   for (int i = 0; i < static_cast<int>(count); ++i)
     if (is_wanted(call, i)) scenes.push_back(scene(i));
@@ -67,7 +76,7 @@ std::vector<BenchJob> jobs_of(const BenchCall& call, const std::vector<BenchScen
 }
 
 void keep_scenes(const std::filesystem::path& folder, const std::vector<BenchScene>& scenes) {
-  make_folder(folder);
+  const MadeFolder made(folder);
   for (const BenchScene& scene : scenes) save_scene(scene.scene, folder / (scene.name + ".json"));
 }
 
@@ -116,36 +125,11 @@ double peak_gibibytes() {
   return static_cast<double>(usage.ru_maxrss) / (1 << 20);
 }
 
-void write_rows(const std::filesystem::path& folder, const Rows& rows) {
-  write_file_atomically(folder / "results.csv", rows_csv_table(rows).csv());
-  write_file_atomically(folder / "results.json", json_text(rows_node(rows)));
-}
-
-void write_comparison(const std::filesystem::path& folder, const Rows& rows) {
-  write_rows(folder, rows);
-  std::string summary = "## Summary\n\n" + summary_table(summaries_of(rows)).markdown();
-  if (const TextTable table = difficulty_table(rows); !table.is_empty())
-    summary += "\n## Reached by difficulty\n\n" + table.markdown();
-  summary += "\n## Runs\n\n" + rows_table(rows).markdown();
-  write_file_atomically(folder / "summary.md", summary);
-  write_file_atomically(folder / "summary.tex", summary_table(summaries_of(rows)).latex());
-  write_file_atomically(folder / "runs.tex", rows_table(rows).latex());
-}
-
 void print_comparison(const Rows& rows) {
   std::cout << rows_table(rows).plain() << '\n';
   if (const TextTable table = difficulty_table(rows); !table.is_empty())
     std::cout << table.plain() << '\n';
   std::cout << summary_table(summaries_of(rows)).plain();
-}
-
-void write_paper(const std::filesystem::path& folder, const PaperSuite& suite, const Rows& rows) {
-  write_rows(folder, rows);
-  const TextTable table = table1(suite, rows);
-  write_file_atomically(folder / "table1.csv", table.csv());
-  write_file_atomically(folder / "table1.md", table.markdown());
-  write_file_atomically(folder / "table1.tex", table.latex());
-  for (const PlotFile& plot : figure13(rows)) write_file_atomically(folder / plot.name, plot.svg);
 }
 
 Rows run_with_progress(const BenchCall& call, const std::vector<BenchJob>& jobs,
@@ -199,18 +183,7 @@ void run_scale(const BenchCall& call, const Interrupt& interrupt) {
   std::cout << scale_table(rows).plain();
   std::cout << "\npeak memory of the process: " << number_text(peak_gibibytes()) << " GiB\n";
   print_notes(rows);
-  if (!call.folder) return;
-  write_rows(*call.folder, rows);
-  write_file_atomically(*call.folder / "summary.md", scale_table(rows).markdown());
-  write_file_atomically(*call.folder / "summary.tex", scale_table(rows).latex());
-}
-
-void write_drags(const std::filesystem::path& folder, const Rows& rows) {
-  write_file_atomically(folder / "results.csv", drag_csv_table(rows).csv());
-  write_file_atomically(folder / "results.json", json_text(drag_node(rows)));
-  write_file_atomically(folder / "frames.csv", drag_frames_table(rows).csv());
-  write_file_atomically(folder / "summary.md", drag_table(rows).markdown());
-  write_file_atomically(folder / "summary.tex", drag_table(rows).latex());
+  if (call.folder) write_scale(*call.folder, rows);
 }
 
 void run_drags(const BenchCall& call, const Interrupt& interrupt) {
@@ -225,6 +198,7 @@ void run_drags(const BenchCall& call, const Interrupt& interrupt) {
 
 /// Keeps the jobs of the scenes that are wanted, numbered as paper_suite() has them.
 void keep_wanted(const BenchCall& call, PaperSuite& suite) {
+  expect_scenes(call, suite.scenes.size());
   std::vector<BenchJob> jobs;
   std::vector<const PaperRow*> rows;
   for (std::size_t i = 0; i < suite.jobs.size(); ++i) {

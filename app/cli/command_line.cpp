@@ -7,6 +7,7 @@
 
 #include "app/cli/calls.h"
 #include "app/cli/streams.h"
+#include "core/exception_words.h"
 
 namespace foldless {
 namespace {
@@ -55,10 +56,8 @@ int run_command_line(int argc, const char* const* argv, const EditorCalls& edito
     const int status = std::visit(Runner{editor}, parse_arguments(argc, argv));
     expect_output_arrived();
     return status;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "foldless: not enough memory\n";
   } catch (const std::exception& error) {
-    std::cerr << line_of(error.what());
+    std::cerr << line_of(words_of_exception(error));
   } catch (...) {
     std::cerr << "foldless: failed for an unknown reason\n";
   }

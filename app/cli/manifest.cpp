@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/scene/json_object.h"
 #include "core/scene/json_value.h"
 #include "render/png_chunks.h"
 
@@ -95,11 +96,11 @@ Manifest read_manifest(const fs::path& folder) {
 std::string text_of(const Manifest& manifest) {
   JsonNode::Array files;
   for (const ResultFile& file : manifest)
-    files.push_back({JsonNode::Object{{"name", node_of(file.name)},
-                                      {"bytes", node_of(static_cast<double>(file.bytes))},
-                                      {"crc32", node_of(hexadecimal(file.crc))}}});
-  return json_text(
-      {JsonNode::Object{{"foldless_result", node_of(kVersion)}, {"files", {std::move(files)}}}});
+    files.push_back({object_of(JsonMember("name", node_of(file.name)),
+                               JsonMember("bytes", node_of(static_cast<double>(file.bytes))),
+                               JsonMember("crc32", node_of(hexadecimal(file.crc))))});
+  return json_text({object_of(JsonMember("foldless_result", node_of(kVersion)),
+                              JsonMember("files", {std::move(files)}))});
 }
 
 }  // namespace foldless

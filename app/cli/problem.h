@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/method/method.h"
 #include "core/scene/scene_io.h"
 #include "render/texture_pieces.h"
@@ -27,6 +28,16 @@ Problem problem_at_rest(const Scene& scene);
 /// The texture of a mesh with these parts; prints a note on what of it is missing. Throws Error.
 std::shared_ptr<const TexturePieces> read_texture(const std::filesystem::path& file,
                                                   const std::shared_ptr<const MeshParts>& parts);
+
+/// Does something with what came from a file; an Error of that names the file.
+template <typename Task>
+auto naming(const std::filesystem::path& file, const Task& task) {
+  try {
+    return task();
+  } catch (const Error& error) {
+    throw Error(file.string() + ": " + error.what());
+  }
+}
 
 /// Prints `foldless: note: …` on stderr, one line each.
 void print_notices(const std::vector<std::string>& notices);

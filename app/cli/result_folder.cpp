@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/folder_names.h"
 
 namespace foldless {
 namespace {
@@ -34,11 +36,10 @@ bool is_real_folder(const fs::path& path) { return fs::is_directory(fs::symlink_
 /// Names of all files in a folder and in its `frames`, none of them reached by a symbolic link.
 std::vector<std::string> names_below(const fs::path& folder) {
   std::vector<std::string> names;
-  std::error_code ignored;
   for (const fs::path part : {"", kFrames})
     if (is_real_folder(folder / part))
-      for (const fs::directory_entry& entry : fs::directory_iterator(folder / part, ignored))
-        names.push_back((part / entry.path().filename()).string());
+      for (const std::string& name : names_in_folder(folder / part))
+        names.push_back((part / name).string());
   return names;
 }
 
@@ -119,9 +120,26 @@ ResultFolder::ResultFolder(fs::path folder) : folder_(std::move(folder)), made_(
   if (failure) refuse(folder_, "cannot be written to: " + failure.message());
 }
 
-ResultFolder::~ResultFolder() { remove_own(staged()); }
+ResultFolder::~ResultFolder() {
+  // What cannot be removed for want of memory the next run removes; once more, as some is freed.
+  for (int tries = 0; tries < 2; ++tries) {
+    try {
+      remove_own(staged());
+      return;
+    } catch (const std::exception&) {
+      continue;
+    }
+  }
+}
 
 fs::path ResultFolder::staged() const { return folder_ / kStaged; }
+
+std::string ResultFolder::with_final_names(std::string message) const {
+  const std::string internal = (staged() / "").string(), known = (folder_ / "").string();
+  for (std::size_t at = 0; (at = message.find(internal, at)) != message.npos; at += known.size())
+    message.replace(at, internal.size(), known);
+  return message;
+}
 
 void ResultFolder::expect_free(const std::string& name) const {
   const fs::path file = folder_ / name;

@@ -66,6 +66,8 @@ class ResultFolder {
 
   /// Where the files of the new result are to be written.
   std::filesystem::path staged() const;
+  /// A message about files that are staged, with the names that they would get.
+  std::string with_final_names(std::string message) const;
   /// Puts what is staged in the place of the earlier result. Throws Error; then the earlier result
   /// is whole, or `.foldless-committed` is there.
   void commit();

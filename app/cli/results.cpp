@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/iterations_csv.h"
 #include "core/files/mesh_io.h"
@@ -45,7 +46,7 @@ Results::Results(fs::path folder, bool has_frames, const std::optional<FigureOpt
   if (has_frames) folder_.expect_free_frames();
 }
 
-void Results::add_frame(const Snapshot& snapshot) {
+void Results::stage_frame(const Snapshot& snapshot) {
   const fs::path frames = folder_.staged() / "frames";
   if (frames_ == 0) make_folder(frames);
   std::string number = std::to_string(frames_++);
@@ -58,7 +59,27 @@ void Results::add_frame(const Snapshot& snapshot) {
   draw(snapshot, frame_figure_, file.string() + ".png");
 }
 
+template <typename Task>
+void Results::told_by_final_names(const Task& task) {
+  try {
+    task();
+  } catch (const Error& error) {
+    throw Error(folder_.with_final_names(error.what()));
+  }
+}
+
+void Results::add_frame(const Snapshot& snapshot) {
+  told_by_final_names([&] { stage_frame(snapshot); });
+}
+
 void Results::finish(const Solved& solved, const JsonNode& report) {
+  told_by_final_names([&] {
+    stage_rest(solved, report);
+    folder_.commit();
+  });
+}
+
+void Results::stage_rest(const Solved& solved, const JsonNode& report) {
   const Snapshot& state = *solved.snapshot;
   const Points& rest = *state.rest;
   const fs::path staged = folder_.staged();
@@ -70,7 +91,6 @@ void Results::finish(const Solved& solved, const JsonNode& report) {
   write_file_atomically(staged / "iterations.csv", iterations_csv(solved.iterations));
   write_file_atomically(staged / "report.json", json_text(report));
   if (renderer_) draw(state, figure_, staged / "deformed.png");
-  folder_.commit();
 }
 
 void Results::draw(const Snapshot& snapshot, const FigureOptions& figure, const fs::path& picture) {

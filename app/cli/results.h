@@ -26,6 +26,11 @@ class Results {
   void finish(const Solved& solved, const JsonNode& report);
 
  private:
+  /// An error in a task is not about files of the folder in which it is staged.
+  template <typename Task>
+  void told_by_final_names(const Task& task);
+  void stage_frame(const Snapshot& snapshot);
+  void stage_rest(const Solved& solved, const JsonNode& report);
   void draw(const Snapshot& snapshot, const FigureOptions& figure,
             const std::filesystem::path& picture);
 

@@ -21,6 +21,7 @@
 #include "app/export/texture_place.h"
 #include "core/energy/densities.h"
 #include "core/error.h"
+#include "core/exception_words.h"
 #include "core/run/interrupt.h"
 #include "core/run/run.h"
 #include "core/run/stop_watch.h"
@@ -152,7 +153,8 @@ int solve_one(const SolveCall& call) {
   solved.scene = call.scene.string();
   solved.problem = problem_of(scene);
   solved.original_faces = static_cast<int>(scene.triangles.cols());
-  Run run = timed(solved.seconds, [&] { return Run(solved.problem); });
+  Run run = timed(solved.seconds,
+                  [&] { return naming(call.scene, [&] { return Run(solved.problem); }); });
   const Interrupt interrupt;
   const StopWatch watch({.time_limit = remaining(call.time_limit, solved.seconds),
                          .is_interrupted = [&] { return interrupt.is_requested(); }});
@@ -197,8 +199,8 @@ int solve_all(const std::vector<SolveCall>& calls) {
     std::cout.flush();  // a signal may end the next one at once
     try {
       ended = solve_one(call);
-    } catch (const Error& error) {
-      std::cerr << "foldless: " << error.what() << '\n';
+    } catch (const std::exception& error) {
+      std::cerr << "foldless: " << words_of_exception(error, call.scene) << '\n';
     }
     if (ended == kExitInterrupted) return ended;
     status = std::max(status, ended);

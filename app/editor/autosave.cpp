@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/editor/scene_document.h"
+#include "core/exception_words.h"
 #include "core/scene/scene_io.h"
 
 namespace foldless {
@@ -51,7 +52,7 @@ void Autosave::write(const UnsavedWork& work, std::uint64_t generation) {
     folder_->trim();
     report({});
   } catch (const std::exception& failure) {
-    report(failure.what());
+    report(words_of_exception(failure, root_));
   }
 }
 

@@ -17,6 +17,8 @@
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/folder_names.h"
+#include "core/files/small_file.h"
 
 namespace foldless {
 namespace {
@@ -105,13 +107,7 @@ void AutosaveFolder::release() {
 }
 
 Origin AutosaveFolder::origin() const {
-  std::string text;
-  try {
-    text = read_file(path_ / kOrigin);
-  } catch (const Error&) {
-    return {};
-  }
-  const auto json = nlohmann::json::parse(text, nullptr, false);
+  const auto json = nlohmann::json::parse(read_small_file(path_ / kOrigin), nullptr, false);
   const auto text_of = [&](const char* key) -> std::string {
     if (!json.is_object() || !json.contains(key) || !json[key].is_string()) return {};
     return json[key].get<std::string>();
@@ -121,9 +117,8 @@ Origin AutosaveFolder::origin() const {
 
 std::vector<fs::path> AutosaveFolder::copies() const {
   std::vector<fs::path> copies;
-  std::error_code error;
-  for (fs::directory_iterator it(path_, error), end; !error && it != end; it.increment(error))
-    if (number_of(it->path())) copies.push_back(it->path());
+  for (const std::string& name : names_in_folder(path_))
+    if (number_of(name)) copies.push_back(path_ / name);
   std::ranges::sort(copies, std::greater{}, number_of);
   return copies;
 }
@@ -147,21 +142,18 @@ void AutosaveFolder::trim() {
 }
 
 void AutosaveFolder::remove() {
-  std::error_code error;
-  for (fs::directory_iterator it(path_, error), end; !error && it != end; it.increment(error)) {
-    std::error_code ignored;
-    if (is_ours(it->path().filename().string())) fs::remove(it->path(), ignored);
-  }
-  fs::remove(path_, error);
+  std::error_code ignored;
+  for (const std::string& name : names_in_folder(path_))
+    if (is_ours(name)) fs::remove(path_ / name, ignored);
+  fs::remove(path_, ignored);
   release();
 }
 
 std::vector<AutosaveFolder> find_lost_work(const fs::path& root) {
   std::vector<std::pair<fs::file_time_type, AutosaveFolder>> found;
-  std::error_code error;
-  for (fs::directory_iterator it(root, error), end; !error && it != end; it.increment(error)) {
-    if (it->path().filename().string().starts_with('.')) continue;
-    std::optional<AutosaveFolder> folder = AutosaveFolder::take(it->path());
+  for (const std::string& name : names_in_folder(root)) {
+    if (name.starts_with('.')) continue;
+    std::optional<AutosaveFolder> folder = AutosaveFolder::take(root / name);
     if (!folder) continue;
     const std::vector<fs::path> copies = folder->copies();
     std::error_code ignored;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/editor/scene_document.h"
+#include "core/exception_words.h"
 #include "core/files/mesh_io.h"
 #include "core/method/methods.h"
 #include "core/scene/scene_io.h"
@@ -127,7 +128,7 @@ void DocumentFiles::load(const PendingAction& action) {
     else
       recent_.add(path);
   } catch (const std::exception& failure) {
-    messages_.toast(ToastKind::error, failure.what());
+    messages_.toast(ToastKind::error, words_of_exception(failure, path));
     std::error_code error;
     if (!std::filesystem::exists(path, error)) recent_.remove(path);
   }
@@ -223,7 +224,7 @@ std::string DocumentFiles::try_save_as(const std::filesystem::path& path) {
     auto view = std::make_shared<const nlohmann::json>(view_.json());
     save_scene(scene_of(draft_.document(), file, std::move(view)), file);
   } catch (const std::exception& failure) {
-    return failure.what();
+    return words_of_exception(failure, file);
   }
   file_.take(file, stamp_of(file));
   mark_saved();

@@ -4,8 +4,12 @@
 #include <exception>
 #include <utility>
 
+#include "core/exception_words.h"
+
 namespace foldless {
 namespace {
+
+constexpr std::size_t kRoomForNews = 16;
 
 /// The layers and the picture as a whole; or that alone, of a file without layers.
 LayeredImage read_layers(const std::filesystem::path& file) {
@@ -60,16 +64,11 @@ std::shared_ptr<const ImportedMesh> mesh_by_layer(const ImportedImage& image,
   return mesh;
 }
 
-/// What the user is told of an exception.
-std::string reason_of(const std::exception& failure) {
-  if (dynamic_cast<const std::bad_alloc*>(&failure))
-    return "There is not enough memory for this image; scale it down.";
-  return failure.what();
-}
-
 }  // namespace
 
-ImageImport::ImageImport(std::function<void()> wake) : wake_(std::move(wake)) {}
+ImageImport::ImageImport(std::function<void()> wake) : wake_(std::move(wake)) {
+  news_.reserve(kRoomForNews);
+}
 
 void ImageImport::open(const std::filesystem::path& file) {
   close();
@@ -112,6 +111,7 @@ void ImageImport::mesh_again() {
 
 bool ImageImport::poll() {
   std::vector<News> news;
+  news.reserve(kRoomForNews);  // so that the thread needs no memory to tell of what it lacks
   {
     const std::lock_guard lock(mutex_);
     news.swap(news_);
@@ -143,7 +143,7 @@ void ImageImport::read(int request, const std::filesystem::path& file,
   try {
     news.image = read_image(file);
   } catch (const std::exception& failure) {
-    return publish({request, nullptr, nullptr, reason_of(failure), true});
+    return publish({request, nullptr, nullptr, words_of_exception(failure, file), true});
   }
   publish(news);
   news.is_last = true;
@@ -157,7 +157,7 @@ void ImageImport::make_mesh(News news, const MeshChoice& choice, const std::stop
     news.mesh = mesh(*news.image, choice.options, stop);
     if (!news.mesh) return;
   } catch (const std::exception& failure) {
-    news.problem = reason_of(failure);
+    news.problem = words_of_exception(failure, news.image->file);
   }
   publish(std::move(news));
 }

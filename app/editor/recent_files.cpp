@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
@@ -11,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/small_file.h"
 
 namespace foldless {
 namespace {
@@ -19,8 +19,8 @@ constexpr std::size_t kMost = 10;
 
 std::vector<std::filesystem::path> read_list(const std::filesystem::path& file) {
   std::vector<std::filesystem::path> paths;
-  std::ifstream stream(file);
-  const auto json = nlohmann::json::parse(stream, nullptr, /*allow_exceptions=*/false);
+  const auto json =
+      nlohmann::json::parse(read_small_file(file), nullptr, /*allow_exceptions=*/false);
   if (!json.is_array()) return paths;
   for (const auto& entry : json)
     if (entry.is_string() && paths.size() < kMost) paths.emplace_back(entry.get<std::string>());

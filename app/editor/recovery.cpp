@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/editor/scene_document.h"
+#include "core/exception_words.h"
 #include "core/method/methods.h"
 #include "core/scene/scene_io.h"
 
@@ -58,7 +59,7 @@ void Recovery::read(int request, const std::vector<std::filesystem::path>& copie
       news.work = std::move(work);
       break;
     } catch (const std::exception& failure) {
-      if (news.problem.empty()) news.problem = failure.what();
+      if (news.problem.empty()) news.problem = words_of_exception(failure, copy);
     }
   }
   if (news.work) news.problem.clear();

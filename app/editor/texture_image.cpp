@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "core/exception_words.h"
+
 namespace foldless {
 
 TextureImage::TextureImage(std::function<void()> wake) : wake_(std::move(wake)) {}
@@ -64,10 +66,8 @@ void TextureImage::read(int request, const std::filesystem::path& file, const Pa
   Result result{request, {}, {}};
   try {
     result.texture = load_texture(file, parts.get());
-  } catch (const std::bad_alloc&) {
-    result.problem = file.string() + ": there is not enough memory for this image";
   } catch (const std::exception& failure) {
-    result.problem = failure.what();
+    result.problem = words_of_exception(failure, file);
   }
   if (stop.stop_requested()) return;
   {

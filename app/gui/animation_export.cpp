@@ -10,6 +10,7 @@
 
 #include "app/editor/scene_document.h"
 #include "core/error.h"
+#include "core/exception_words.h"
 #include "core/run/thread_priority.h"
 #include "core/scene/failure_words.h"
 
@@ -93,7 +94,7 @@ AnimationExport::End AnimationExport::write(Job& job) {
   try {
     return write_job(job);
   } catch (const std::exception& error) {
-    return {ToastKind::error, error.what()};
+    return {ToastKind::error, words_of_exception(error, job.animation.output)};
   }
 }
 
@@ -155,8 +156,8 @@ void AnimationExport::draw() {
     if (!renderer_)
       renderer_ = std::make_unique<FigureRenderer>(FigureRenderer::InCurrentContext());
     drawn_ = renderer_->render(*wanted_, *figure_);
-  } catch (const Error& error) {
-    problem_ = error.what();
+  } catch (const std::exception& error) {
+    problem_ = words_of_exception(error);
   }
   wanted_ = nullptr;
   is_drawn_.notify_one();
@@ -192,7 +193,8 @@ std::optional<float> AnimationExport::share() const {
 std::string AnimationExport::progress_words() const {
   std::string words = kStageWords[static_cast<std::size_t>(seen_.stage)];
   if (seen_.count == 0) return words + "…";
-  words += " " + std::to_string(seen_.done) + " of " + std::to_string(seen_.count);
+  words += ' ';
+  words += std::to_string(seen_.done) + " of " + std::to_string(seen_.count);
   if (seen_.done == 0 || !stage_began_) return words;
   const double left = (time_ - *stage_began_) / static_cast<double>(seen_.done) *
                       static_cast<double>(seen_.count - seen_.done);

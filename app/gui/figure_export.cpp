@@ -6,6 +6,7 @@
 
 #include "app/export/vector_figure.h"
 #include "core/error.h"
+#include "core/exception_words.h"
 
 namespace foldless {
 
@@ -21,7 +22,7 @@ void FigureExport::start(const std::filesystem::path& path, const Editor& editor
     try {
       save_vector_figure(path, *snapshot, figure, texts);
     } catch (const std::exception& error) {
-      problem = error.what();
+      problem = words_of_exception(error, path);
     }
     const std::lock_guard lock(mutex_);
     problem_ = std::move(problem);

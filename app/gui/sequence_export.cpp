@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/exception_words.h"
 #include "render/render_target.h"
 
 namespace foldless {
@@ -77,8 +78,8 @@ void SequenceExport::update(Editor& editor, double time) {
   if (is_cancelled_ || written_ == job_->snapshots.size()) return end(editor, "");
   try {
     draw_next();
-  } catch (const Error& error) {
-    end(editor, error.what());
+  } catch (const std::exception& error) {
+    end(editor, words_of_exception(error, job_->folder));
   }
 }
 
@@ -99,7 +100,7 @@ void SequenceExport::draw_next() {
     try {
       save_png(file, picture, texts);
     } catch (const std::exception& error) {
-      problem = error.what();
+      problem = words_of_exception(error, file);
     }
     const std::lock_guard lock(mutex_);
     problem_ = std::move(problem);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
@@ -13,6 +12,7 @@
 #include "app/editor/scene_document.h"
 #include "app/gui/key_settings.h"
 #include "core/files/atomic_file.h"
+#include "core/files/small_file.h"
 
 namespace foldless {
 namespace {
@@ -58,8 +58,7 @@ std::filesystem::path settings_file(const std::filesystem::path& state_folder) {
 
 Settings load_settings(const std::filesystem::path& file) {
   Settings settings;
-  std::ifstream in(file);
-  const auto json = nlohmann::json::parse(in, nullptr, false);
+  const auto json = nlohmann::json::parse(read_small_file(file), nullptr, false);
   if (!json.is_object()) return settings;
   const Reader read{json};
   read.number("scale", settings.scale, kSmallestScale, kLargestScale);

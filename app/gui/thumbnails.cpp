@@ -85,12 +85,13 @@ bool Thumbnails::update() {
 void Thumbnails::begin_next() {
   reading_ = wanted_.front();
   wanted_.erase(wanted_.begin());
-  job_.start([this, file = *reading_](const std::stop_token& stop) {
-    FileSketch sketch = sketch_of(file);
-    if (stop.stop_requested()) return;
-    const std::lock_guard lock(mutex_);
-    read_ = Read{file, std::move(sketch)};
-  });
+  job_.start(
+      [this, read = std::make_shared<Read>(Read{*reading_, {}})](const std::stop_token& stop) {
+        read->sketch = sketch_of(read->file);
+        if (stop.stop_requested()) return;
+        const std::lock_guard lock(mutex_);
+        read_ = std::move(*read);
+      });
 }
 
 Texture Thumbnails::draw(const FileSketch& sketch) {

@@ -2,19 +2,19 @@
 #include "core/files/atomic_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <random>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include "core/error.h"
+#include "core/files/left_over.h"
 
 namespace foldless {
 namespace {
@@ -83,27 +83,30 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// A hidden name that is not that of any file.
-fs::path temporary_name(const fs::path& file) {
-  constexpr std::string_view kCharacters = "abcdefghijklmnopqrstuvwxyz0123456789";
-  std::random_device random;
-  std::string name = staged_prefix(file);
-  for (int i = 0; i < 6; ++i) name += kCharacters[random() % kCharacters.size()];
-  return file.parent_path() / name;
+/// The hidden names that are tried, in order: so what a process left that was killed is found
+/// without looking through the folder, where there may be many thousands of frames.
+fs::path temporary_name(const fs::path& file, int number) {
+  std::string digits = std::to_string(number);
+  digits.insert(0, 6 - std::min<std::size_t>(6, digits.size()), '0');
+  return file.parent_path() / (staged_prefix(file) + digits);
 }
 
 /// Makes a file that was not there, with the permissions of the one that is to be replaced, or else
 /// those that a new file gets; its name stays in `temporary`, empty when it could not be made. (Not
 /// mkstemp: what a new file gets can only be asked of the whole process, by changing it.)
 Descriptor make_beside(const fs::path& file, fs::path& temporary) {
-  int number = -1;
-  do {
-    temporary = temporary_name(file);
-    number = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (number < 0 && errno == EEXIST);
-  if (number < 0) temporary.clear();
-  if (number >= 0) ::flock(number, LOCK_EX | LOCK_NB);  // It is in use; see remove_leftovers().
-  return Descriptor(number);
+  int tried = 0;
+  for (;;) {
+    temporary = temporary_name(file, tried);
+    Descriptor made(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!made.is_open() && errno != EEXIST) break;
+    if (!made.is_open() && !remove_left_over(temporary)) ++tried;
+    if (!made.is_open() || !lock_new(made.number(), temporary)) continue;
+    while (remove_left_over(temporary_name(file, tried + 1))) ++tried;
+    return made;
+  }
+  temporary.clear();
+  return Descriptor(-1);
 }
 
 int keep_permissions(const fs::path& file, int descriptor) {
@@ -112,10 +115,13 @@ int keep_permissions(const fs::path& file, int descriptor) {
   return ::fchmod(descriptor, status.st_mode & 07777) == 0 ? 0 : errno;
 }
 
-/// Writes a new file under a name of its own beside `file`; its name stays in `temporary`.
-int write_beside(const fs::path& file, std::string_view bytes, fs::path& temporary) {
+/// Writes a new file under a name of its own beside `file`; its name stays in `temporary`, and
+/// while `lock` lives no process takes it for a leftover.
+int write_beside(const fs::path& file, std::string_view bytes, fs::path& temporary,
+                 std::optional<Descriptor>& lock) {
   Descriptor out = make_beside(file, temporary);
   if (!out.is_open()) return errno;
+  lock.emplace(::fcntl(out.number(), F_DUPFD_CLOEXEC, 0));
   if (const int error = write_all(out.number(), bytes)) return error;
   if (const int error = keep_permissions(file, out.number())) return error;
   if (::fsync(out.number()) != 0) return errno;
@@ -193,7 +199,8 @@ void write_file_atomically(const fs::path& file, std::string_view bytes) {
   const fs::path target = ignored ? file : resolved;
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   fs::path temporary;
-  int error = write_beside(target, bytes, temporary);
+  std::optional<Descriptor> lock;
+  int error = write_beside(target, bytes, temporary, lock);
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) {
     if (!temporary.empty()) ::unlink(temporary.c_str());

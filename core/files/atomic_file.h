@@ -18,7 +18,8 @@ void read_blocks(const std::filesystem::path& file,
 /// Replaces a file as a whole: the bytes go to a temporary file in the same folder, reach the
 /// disk and then take the name, so that whatever happens either the old or the new file is there.
 /// Permissions of a replaced file are kept; a symbolic link is followed; a device or pipe is
-/// written to. Throws Error when that fails, and leaves no temporary file.
+/// written to. Throws Error when that fails, and leaves no temporary file; that of a process that
+/// was killed is removed by the next that writes the same file.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 /// Writes a file that is not there, and waits until it has reached the disk. Throws Error, which

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/folder_names.h"
 #include "core/files/staged.h"
 
 namespace foldless {
@@ -35,10 +36,8 @@ void take_names(const fs::path& main) {
   const fs::path new_main = committed / main.filename();
   if (fs::exists(new_main) && ::unlink(main.c_str()) != 0 && errno != ENOENT)
     refuse_taking(main, errno);
-  std::vector<fs::path> others;
-  for (const auto& entry : fs::directory_iterator(committed))
-    if (entry.path() != new_main) others.push_back(entry.path());
-  for (const fs::path& other : others) take_name(other, main.parent_path() / other.filename());
+  for (const std::string& name : names_in_folder(committed))
+    if (name != main.filename()) take_name(committed / name, main.parent_path() / name);
   sync_folder(main.parent_path());
   take_name(new_main, main);
   sync_folder(main.parent_path());

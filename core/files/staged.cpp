@@ -2,8 +2,6 @@
 #include "core/files/staged.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,10 +12,11 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/folder_names.h"
+#include "core/files/left_over.h"
 
 namespace foldless {
 namespace {
@@ -38,36 +37,14 @@ bool is_random_part(std::string_view text) {
          });
 }
 
-/// Whether the descriptor is of what has the name now.
-bool is_the_same(int descriptor, const fs::path& path) {
-  struct stat a {
-  }, b{};
-  return ::fstat(descriptor, &a) == 0 && ::lstat(path.c_str(), &b) == 0 && a.st_dev == b.st_dev &&
-         a.st_ino == b.st_ino;
-}
-
-/// No process that lives has a lock on it.
-bool is_left_over(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool is_free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-  ::close(descriptor);
-  return is_free;
-}
-
 }  // namespace
 
 void remove_leftovers(const fs::path& result) {
   const std::string prefix = staged_prefix(result);
-  std::vector<fs::path> left;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder_of(result), ignored)) {
-    const std::string name = entry.path().filename();
-    if (name.starts_with(prefix) && is_random_part(name.substr(prefix.size())) &&
-        is_left_over(entry.path()))
-      left.push_back(entry.path());
-  }
-  for (const fs::path& path : left) fs::remove_all(path, ignored);
+  const fs::path folder = folder_of(result);
+  for (const std::string& name : names_in_folder(folder))
+    if (name.starts_with(prefix) && is_random_part(name.substr(prefix.size())))
+      remove_left_over(folder / name);
 }
 
 Staged::Staged(fs::path result, What what) : result_(std::move(result)) {
@@ -91,8 +68,7 @@ bool Staged::make(What what) {
   fs::permissions(path_, fs::perms(what == What::folder ? 0755 : 0644), fs::perm_options::replace,
                   ignored);
   if (lock_ < 0) return true;  // It can be made all the same.
-  ::flock(lock_, LOCK_EX | LOCK_NB);
-  if (is_the_same(lock_, path_)) return true;
+  if (lock_new(lock_, path_)) return true;
   ::close(std::exchange(lock_, -1));
   return false;
 }
@@ -104,7 +80,10 @@ Staged::~Staged() {
 }
 
 void Staged::take_name(const fs::path& name) {
-  if (lock_ >= 0) ::fsync(lock_);
+  if (lock_ >= 0 && ::fsync(lock_) != 0) {
+    const int error = errno;
+    if (fs::is_regular_file(path_)) refuse_staging(result_, error);  // of a folder it may be unable
+  }
   if (::rename(path_.c_str(), name.c_str()) != 0) refuse_staging(result_, errno);
   path_.clear();
   sync_folder(folder_of(name));

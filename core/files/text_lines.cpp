@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <limits>
 
 namespace foldless {
@@ -24,10 +25,26 @@ std::string_view without_plus(std::string_view word) {
   return word;
 }
 
-/// from_chars says only "out of range" for both ends.
+/// The exponent that is written, as far as it matters.
+long exponent_of(std::string_view word) {
+  constexpr long kVeryMuch = 1'000'000'000'000;
+  const std::size_t at = word.find_first_of("eE");
+  if (at == word.npos) return 0;
+  const std::string_view digits = without_plus(word.substr(at + 1));
+  long exponent = 0;
+  if (std::from_chars(digits.begin(), digits.end(), exponent).ec != std::errc() ||
+      std::abs(exponent) > kVeryMuch)
+    return digits.starts_with('-') ? -kVeryMuch : kVeryMuch;
+  return exponent;
+}
+
+/// Of a number other than 0 that is out of range: near 0 rather than too large, of which
+/// from_chars tells no difference. Its first digit other than 0 stands for a power of 10 below 1.
 bool is_tiny(std::string_view word) {
-  return word.find("e-") != word.npos || word.find("E-") != word.npos || word.starts_with("0.") ||
-         word.starts_with("-0.");
+  const std::size_t end = std::min(word.find_first_of("eE"), word.size());
+  const std::size_t first = word.find_first_of("123456789");
+  const std::size_t point = std::min(word.find('.'), end);
+  return static_cast<long>(point) - static_cast<long>(first) + exponent_of(word) <= 0;
 }
 
 }  // namespace

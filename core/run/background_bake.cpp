@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/run/background_bake.h"
 
+#include <exception>
 #include <utility>
 
-#include "core/error.h"
+#include "core/exception_words.h"
 #include "core/run/thread_priority.h"
 
 namespace foldless {
 namespace {
 
-/// Nothing when the token was set.
-std::shared_ptr<const BakeResult> proved_bake(const Frames& frames, const SolvedToBake& wanted,
-                                              const std::stop_token& token) {
-  auto result = std::make_shared<BakeResult>();
+/// False when the token was set.
+bool bake_and_prove(const Frames& frames, const SolvedToBake& wanted, const std::stop_token& token,
+                    BakeResult& result) {
   try {
     auto baked = bake_solved(frames, wanted, token);
-    if (!baked) return nullptr;
-    result->baked = std::move(*baked);
-    const std::vector<BakedFailure> failures = failures_of(result->baked);
-    if (!failures.empty()) result->failure = failures.front();
-  } catch (const Error& error) {
-    result->error = error.what();
+    if (!baked) return false;
+    result.baked = std::move(*baked);
+    const std::vector<BakedFailure> failures = failures_of(result.baked);
+    if (!failures.empty()) result.failure = failures.front();
+  } catch (const std::exception& failure) {
+    result.error = words_of_exception(failure);
   }
-  return result;
+  return true;
 }
 
 }  // namespace
@@ -34,14 +34,14 @@ void BackgroundBake::start(std::shared_ptr<const Frames> frames, SolvedToBake wa
     number = ++number_;
     result_ = nullptr;
   }
-  job_.start([this, number, frames = std::move(frames),
-              wanted = std::move(wanted)](const std::stop_token& token) {
+  job_.start([this, number, frames = std::move(frames), wanted = std::move(wanted),
+              result = std::make_shared<BakeResult>()](const std::stop_token& token) {
     give_way_to_the_window();
-    auto result = proved_bake(*frames, wanted, token);
+    if (!bake_and_prove(*frames, wanted, token, *result)) return;
     {
       const std::lock_guard lock(mutex_);
-      if (!result || number != number_) return;
-      result_ = std::move(result);
+      if (number != number_) return;
+      result_ = result;
     }
     if (wake_) wake_();
   });

@@ -2,9 +2,10 @@
 #include "core/run/background_frames.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
-#include "core/error.h"
+#include "core/exception_words.h"
 #include "core/run/thread_priority.h"
 
 namespace foldless {
@@ -117,47 +118,53 @@ void BackgroundFrames::work(const std::stop_token& stopping) {
   give_way_to_the_window();
   const auto has_work = [this] { return wanted_ && done_.empty() && error_.empty() && !is_held_; };
   while (true) {
-    std::optional<Frames> frames;
-    FramesWanted wanted;
     std::stop_token token;
-    {
+    try {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, stopping, has_work);
       if (stopping.stop_requested()) return;
-      frames.emplace(wanted_->at_rest, wanted_->animation);
-      wanted.moments = moments(*wanted_);
-      wanted.tolerance = wanted_->tolerance;
-      for (const auto& frame : first_round_) wanted.known.push_back(*frame);
-      running_ = std::stop_source();
-      token = running_.get_token();
+      Task task = begin_task();
+      token = task.token;
+      lock.unlock();
+      solve_all(task);
+    } catch (const std::exception& failure) {
+      // What was cancelled meanwhile is about something that nobody wants any more.
+      const std::lock_guard lock(mutex_);
+      if (!token.stop_requested()) error_ = words_of_exception(failure);
     }
-    solve_all(*frames, std::move(wanted), token);
     if (wake_) wake_();
   }
 }
 
-void BackgroundFrames::solve_all(const Frames& frames, FramesWanted wanted,
-                                 const std::stop_token& token) {
-  // What was cancelled meanwhile is about something that nobody wants any more.
-  wanted.first_round = [&](const SolvedFrame& frame) {
+BackgroundFrames::Task BackgroundFrames::begin_task() {
+  Task task{Frames(wanted_->at_rest, wanted_->animation), {}, {}};
+  task.wanted.moments = moments(*wanted_);
+  task.wanted.tolerance = wanted_->tolerance;
+  for (const auto& frame : first_round_) task.wanted.known.push_back(*frame);
+  running_ = std::stop_source();
+  task.token = running_.get_token();
+  return task;
+}
+
+void BackgroundFrames::solve_all(Task& task) {
+  task.wanted.first_round = [&](const SolvedFrame& frame) {
     {
-      std::lock_guard lock(mutex_);
-      if (token.stop_requested()) return;
-      first_round_.push_back(std::make_shared<const SolvedFrame>(frame));
+      auto solved = std::make_shared<const SolvedFrame>(frame);
+      const std::lock_guard lock(mutex_);
+      if (task.token.stop_requested()) return;
+      first_round_.push_back(std::move(solved));
     }
     if (wake_) wake_();
   };
-  try {
-    const auto solved = solve_animation(frames, wanted, token);
-    std::lock_guard lock(mutex_);
-    if (!solved || token.stop_requested()) return;
-    for (const SolvedFrame& frame : solved->frames)
-      done_.push_back(std::make_shared<const SolvedFrame>(frame));
-    gap_ = solved->gap;
-  } catch (const Error& error) {
-    std::lock_guard lock(mutex_);
-    if (!token.stop_requested()) error_ = error.what();
-  }
+  const auto solved = solve_animation(task.frames, task.wanted, task.token);
+  if (!solved) return;
+  std::vector<std::shared_ptr<const SolvedFrame>> done;
+  for (const SolvedFrame& frame : solved->frames)
+    done.push_back(std::make_shared<const SolvedFrame>(frame));
+  const std::lock_guard lock(mutex_);
+  if (task.token.stop_requested()) return;
+  done_ = std::move(done);
+  gap_ = solved->gap;
 }
 
 }  // namespace foldless

@@ -55,8 +55,17 @@ class BackgroundFrames {
   FramesStatus status() const;
 
  private:
+  /// What one look at what is wanted came to.
+  struct Task {
+    Frames frames;
+    FramesWanted wanted;
+    std::stop_token token;
+  };
+
   void work(const std::stop_token& stopping);
-  void solve_all(const Frames& frames, FramesWanted wanted, const std::stop_token& token);
+  /// With the lock held.
+  Task begin_task();
+  void solve_all(Task& task);
 
   const std::function<void()> wake_;
   mutable std::mutex mutex_;  ///< guards what follows but the thread

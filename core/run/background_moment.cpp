@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/run/background_moment.h"
 
+#include <exception>
 #include <utility>
-
-#include "core/error.h"
 
 namespace foldless {
 
@@ -24,10 +23,11 @@ std::shared_ptr<const SolvedFrame> BackgroundMoment::at(
     try {
       auto solved = frames->solve(moment, before->snapshot.get(), token);
       if (!solved) return;
+      auto moved = std::make_shared<const SolvedFrame>(std::move(*solved));
       const std::lock_guard lock(mutex_);
       if (token.stop_requested()) return;
-      solved_ = std::make_shared<const SolvedFrame>(std::move(*solved));
-    } catch (const Error&) {
+      solved_ = std::move(moved);
+    } catch (const std::exception&) {
       return;  // The frames beside it say what is wrong with the animation.
     }
     if (wake_) wake_();

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/method/method.h"
@@ -16,6 +19,7 @@ enum class WorkerMode { idle, paused, running };
 /// in the order of the members.
 struct Inbox {
   struct Load {
+    Load(Problem p, std::uint64_t g) : problem(std::move(p)), generation(g) {}
     Problem problem;
     std::uint64_t generation;
   };
@@ -29,7 +33,7 @@ struct Inbox {
     std::vector<double> angles;
   };
 
-  std::optional<Load> load;
+  std::unique_ptr<const Load> load;  ///< by pointer: meshes are copied where they are moved
   std::optional<Settings> settings;
   std::optional<Targets> targets;
   std::optional<WorkerMode> mode;
@@ -42,5 +46,9 @@ struct Inbox {
   }
   bool is_empty() const { return !load && !settings && !targets && !mode && !step && !pace; }
 };
+
+// Taking messages out needs no memory, so that none is lost for want of it.
+static_assert(std::is_nothrow_move_constructible_v<Inbox> &&
+              std::is_nothrow_move_assignable_v<Inbox>);
 
 }  // namespace foldless

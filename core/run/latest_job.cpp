@@ -4,6 +4,17 @@
 #include <utility>
 
 namespace foldless {
+namespace {
+
+void run(const LatestJob::Job& job, const std::stop_token& stop) {
+  try {
+    job(stop);
+  } catch (...) {
+    return;  // it had no memory to say so; ending the program would lose unsaved work
+  }
+}
+
+}  // namespace
 
 LatestJob::~LatestJob() {
   cancel();
@@ -11,9 +22,11 @@ LatestJob::~LatestJob() {
 }
 
 void LatestJob::start(Job job) {
+  std::stop_source stop;  // made here, so that the thread needs no memory to begin
   {
     const std::lock_guard lock(mutex_);
-    running_.request_stop();
+    newest_.request_stop();
+    newest_ = std::move(stop);
     next_ = std::move(job);
   }
   if (!thread_.joinable())
@@ -23,7 +36,7 @@ void LatestJob::start(Job job) {
 
 void LatestJob::cancel() {
   const std::lock_guard lock(mutex_);
-  running_.request_stop();
+  newest_.request_stop();
   next_ = nullptr;
 }
 
@@ -35,10 +48,9 @@ void LatestJob::work(const std::stop_token& ended) {
       std::unique_lock lock(mutex_);
       if (!has_news_.wait(lock, ended, [this] { return static_cast<bool>(next_); })) return;
       job = std::exchange(next_, nullptr);
-      running_ = std::stop_source();
-      stop = running_.get_token();
+      stop = newest_.get_token();
     }
-    job(stop);
+    run(job, stop);
   }
 }
 

@@ -11,7 +11,8 @@ namespace foldless {
 
 /// One thread for jobs of which only the newest counts: starting one asks the running one to stop
 /// and drops those that were not yet begun. Functions return at once, but the destructor waits for
-/// a job to notice that it was asked to stop. A job must not throw.
+/// a job to notice that it was asked to stop. A job tells of its failures itself: what it throws is
+/// dropped, and the thread goes on with the next.
 class LatestJob {
  public:
   using Job = std::function<void(const std::stop_token& stop)>;
@@ -30,9 +31,9 @@ class LatestJob {
 
   std::mutex mutex_;
   std::condition_variable_any has_news_;
-  Job next_;                  ///< empty: none waits
-  std::stop_source running_;  ///< of the job that runs
-  std::jthread thread_;       ///< made for the first job
+  Job next_;                 ///< empty: none waits
+  std::stop_source newest_;  ///< of the job that was started last, which waits, runs or has ended
+  std::jthread thread_;      ///< made for the first job
 };
 
 }  // namespace foldless

@@ -29,7 +29,7 @@ class Mailbox {
   std::uint64_t next_generation() { return ++last_generation_; }
 
   bool is_empty() const { return inbox_.is_empty(); }
-  bool has_load() const { return inbox_.load.has_value(); }
+  bool has_load() const { return inbox_.load != nullptr; }
   /// The messages; none is left.
   Inbox collect() { return std::exchange(inbox_, {}); }
 

@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "core/exception_words.h"
+
 namespace foldless {
 namespace {
 
@@ -21,10 +23,14 @@ void PacedRun::end_where_it_throws(const Task& task) {
     task();
     return;
   } catch (const std::exception& failure) {
-    error_ = failure.what();
+    end_because(words_of_exception(failure));
   } catch (...) {
-    error_ = "the solver failed for an unknown reason";
+    end_because("the solver failed for an unknown reason");
   }
+}
+
+void PacedRun::end_because(std::string words) {
+  error_ = std::move(words);
   run_.reset();
 }
 

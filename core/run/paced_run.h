@@ -37,6 +37,8 @@ class PacedRun {
   /// faster than pictures are drawn.
   std::optional<Clock::time_point> next_start() const;
   Step iterate(const std::stop_token& token);
+  /// The run cannot go on, for this reason.
+  void end_because(std::string words);
 
   std::shared_ptr<const Snapshot> snapshot() const;  ///< the run's newest, or null
   WorkerStatus status() const;

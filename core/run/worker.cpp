@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/run/worker.h"
 
+#include <exception>
 #include <utility>
 
+#include "core/exception_words.h"
 #include "core/run/thread_priority.h"
 #include "core/threads/team.h"
 
@@ -35,7 +37,7 @@ std::uint64_t Worker::load(Problem problem) {
   std::uint64_t generation = 0;
   post(Mailbox::Cancels::always, [&](Inbox& inbox) {
     generation = mailbox_.next_generation();
-    inbox.load = Inbox::Load{std::move(problem), generation};
+    inbox.load = std::make_unique<const Inbox::Load>(std::move(problem), generation);
     inbox.settings.reset();
     inbox.targets.reset();
     timeline_.clear();
@@ -92,25 +94,35 @@ void Worker::work(const std::stop_token& stopping) {
   Team team(threads_);
   const WithTeam with(&team);
   while (true) {
-    Inbox messages;
-    std::stop_token token;
-    std::uint64_t epoch = 0;
-    {
-      std::unique_lock lock(mutex_);
-      wait_for_something_to_do(lock, stopping);
-      if (stopping.stop_requested()) return;
-      messages = mailbox_.collect();
-      token = mailbox_.begin_iteration();
-      epoch = timeline_.epoch();
+    try {
+      if (!take_turn(stopping)) return;
+      publish_status();
+    } catch (const std::exception& failure) {
+      run_.end_because(words_of_exception(failure));
+      publish_failure();
     }
-    if (messages.is_empty()) {
-      iterate(token, epoch);
-    } else {
-      run_.apply(messages);
-      if (run_.snapshot()) snapshots_.publish(run_.snapshot());
-    }
-    publish_status();
   }
+}
+
+bool Worker::take_turn(const std::stop_token& stopping) {
+  Inbox messages;
+  std::stop_token token;
+  std::uint64_t epoch = 0;
+  {
+    std::unique_lock lock(mutex_);
+    wait_for_something_to_do(lock, stopping);
+    if (stopping.stop_requested()) return false;
+    token = mailbox_.begin_iteration();  // needs memory: without it the messages wait
+    messages = mailbox_.collect();
+    epoch = timeline_.epoch();
+  }
+  if (messages.is_empty()) {
+    iterate(token, epoch);
+  } else {
+    run_.apply(messages);
+    if (run_.snapshot()) snapshots_.publish(run_.snapshot());
+  }
+  return true;
 }
 
 void Worker::wait_for_something_to_do(std::unique_lock<std::mutex>& lock,
@@ -144,6 +156,14 @@ void Worker::publish_status() {
     status_ = std::move(status);
   }
   if (wake_) wake_();
+}
+
+void Worker::publish_failure() {
+  try {
+    publish_status();
+  } catch (const std::exception&) {
+    return;  // no memory for that either: it is told with the next that is posted
+  }
 }
 
 }  // namespace foldless

@@ -83,10 +83,13 @@ class Worker {
 
   // On the solver thread.
   void work(const std::stop_token& stopping);
+  /// Takes the messages, or does an iteration; false when the worker is to end.
+  bool take_turn(const std::stop_token& stopping);
   void wait_for_something_to_do(std::unique_lock<std::mutex>& lock,
                                 const std::stop_token& stopping);
   void iterate(const std::stop_token& token, std::uint64_t epoch);
   void publish_status();
+  void publish_failure();
 
   const std::function<void()> wake_;
   Channel<Snapshot> snapshots_;

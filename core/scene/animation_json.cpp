@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/animation_json.h"
+#include "core/scene/json_object.h"
 
 #include <algorithm>
 #include <array>
@@ -93,7 +94,7 @@ HandleTracks read_tracks(const JsonValue& item, const Cycle& cycle, const Handle
 
 JsonNode value_node(double value) { return {value}; }
 JsonNode value_node(const Vec2& value) {
-  return {JsonNode::Array{JsonNode{value.x()}, JsonNode{value.y()}}};
+  return {array_of(JsonNode{value.x()}, JsonNode{value.y()})};
 }
 
 JsonNode easing_node(const Easing& easing) {
@@ -109,8 +110,8 @@ void add_track(JsonNode::Object& object, const char* name, const Track<Value>& t
   if (track.empty()) return;
   JsonNode::Array keys;
   for (const Keyframe<Value>& key : track) {
-    JsonNode::Object item{{"frame", {static_cast<double>(key.frame)}},
-                          {"value", value_node(key.value)}};
+    JsonNode::Object item = object_of(JsonMember("frame", {static_cast<double>(key.frame)}),
+                                      JsonMember("value", value_node(key.value)));
     if (key.easing != Easing()) item.emplace_back("easing", easing_node(key.easing));
     keys.push_back({std::move(item)});
   }
@@ -118,7 +119,7 @@ void add_track(JsonNode::Object& object, const char* name, const Track<Value>& t
 }
 
 JsonNode tracks_node(const HandleTracks& tracks) {
-  JsonNode::Object object{{"handle", {static_cast<double>(tracks.handle)}}};
+  JsonNode::Object object = object_of(JsonMember("handle", {static_cast<double>(tracks.handle)}));
   if (tracks.is_smooth) object.emplace_back("path", JsonNode{std::string(kSmooth)});
   add_track(object, "position", tracks.position);
   add_track(object, "angle", tracks.angle);
@@ -130,7 +131,8 @@ JsonNode tracks_node(const HandleTracks& tracks) {
 JsonNode group_node(const TurningGroup& group) {
   JsonNode::Array ids;
   for (const int id : group.handles) ids.push_back({static_cast<double>(id)});
-  return {JsonNode::Object{{"center", value_node(group.center)}, {"handles", {std::move(ids)}}}};
+  return {object_of(JsonMember("center", value_node(group.center)),
+                    JsonMember("handles", {std::move(ids)}))};
 }
 
 }  // namespace
@@ -165,8 +167,9 @@ Animation read_animation(const JsonValue& animation, const std::vector<Handle>& 
 }
 
 JsonNode animation_node(const Animation& animation) {
-  JsonNode::Object object{{"fps", {animation.fps}},
-                          {"frames", {static_cast<double>(animation.cycle.frames)}}};
+  JsonNode::Object object =
+      object_of(JsonMember("fps", {animation.fps}),
+                JsonMember("frames", {static_cast<double>(animation.cycle.frames)}));
   if (animation.cycle.loops) object.emplace_back("loop", JsonNode{true});
   JsonNode::Array tracks, groups;
   for (const HandleTracks& of_handle : animation.tracks) tracks.push_back(tracks_node(of_handle));

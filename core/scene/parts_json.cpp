@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/parts_json.h"
+#include "core/scene/json_object.h"
 
 #include <string>
 #include <utility>
@@ -56,9 +57,10 @@ MeshParts read_parts(const JsonValue& parts, const Triangles& triangles, int ver
 JsonNode parts_node(const MeshParts& parts) {
   JsonNode::Array array;
   for (const MeshPart& part : parts) {
-    JsonNode::Object object{{"layer", JsonNode{part.layer}},
-                            {"vertex", {static_cast<double>(part.first_vertex)}},
-                            {"vertices", {static_cast<double>(part.vertices)}}};
+    JsonNode::Object object =
+        object_of(JsonMember("layer", JsonNode{part.layer}),
+                  JsonMember("vertex", {static_cast<double>(part.first_vertex)}),
+                  JsonMember("vertices", {static_cast<double>(part.vertices)}));
     if (part.depth != 0) object.emplace_back("depth", JsonNode{part.depth});
     array.push_back({std::move(object)});
   }

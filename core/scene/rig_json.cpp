@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/rig_json.h"
+#include "core/scene/json_object.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,7 @@
 namespace foldless {
 namespace {
 
-JsonNode point_of_axis(const Vec2& p) {
-  return {JsonNode::Array{JsonNode{p.x()}, JsonNode{p.y()}}};
-}
+JsonNode point_of_axis(const Vec2& p) { return {array_of(JsonNode{p.x()}, JsonNode{p.y()})}; }
 
 }  // namespace
 
@@ -55,8 +54,8 @@ Mirror read_mirror(const JsonValue& mirror) {
 }
 
 JsonNode mirror_node(const Mirror& mirror) {
-  JsonNode::Object object{{"from", point_of_axis(mirror.axis.from)},
-                          {"to", point_of_axis(mirror.axis.to)}};
+  JsonNode::Object object = object_of(JsonMember("from", point_of_axis(mirror.axis.from)),
+                                      JsonMember("to", point_of_axis(mirror.axis.to)));
   if (!mirror.is_on) object.emplace_back("on", JsonNode{false});
   return {std::move(object)};
 }

@@ -7,6 +7,7 @@
 #include "core/scene/animation_json.h"
 #include "core/scene/handle_kind.h"
 #include "core/scene/json_node.h"
+#include "core/scene/json_object.h"
 #include "core/scene/parameter_keys.h"
 #include "core/scene/parts_json.h"
 #include "core/scene/rig_json.h"
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-JsonNode point_node(const Vec2& p) { return {JsonNode::Array{JsonNode{p.x()}, JsonNode{p.y()}}}; }
+JsonNode point_node(const Vec2& p) { return {array_of(JsonNode{p.x()}, JsonNode{p.y()})}; }
 
 JsonNode points_node(const Points& points) {
   JsonNode::Array array;
@@ -39,8 +40,8 @@ JsonNode triangles_node(const Triangles& triangles) {
 
 JsonNode mesh_node(const Scene& scene, const std::string& path) {
   if (!path.empty()) return {path};
-  return {JsonNode::Object{{"vertices", points_node(scene.rest)},
-                           {"triangles", triangles_node(scene.triangles)}}};
+  return {object_of(JsonMember("vertices", points_node(scene.rest)),
+                    JsonMember("triangles", triangles_node(scene.triangles)))};
 }
 
 JsonNode stiffness_node(const Stiffness& stiffness) {
@@ -61,8 +62,8 @@ JsonNode stiffness_node(const Stiffness& stiffness) {
 JsonNode handles_node(const std::vector<Handle>& handles) {
   JsonNode::Array array;
   for (const Handle& handle : handles) {
-    JsonNode::Object object{{"vertex", {static_cast<double>(handle.vertex)}},
-                            {"target", point_node(handle.target)}};
+    JsonNode::Object object = object_of(JsonMember("vertex", {static_cast<double>(handle.vertex)}),
+                                        JsonMember("target", point_node(handle.target)));
     if (handle.id != static_cast<int>(array.size()))
       object.emplace_back("id", JsonNode{static_cast<double>(handle.id)});
     if (handle.kind != HandleKind::drag)
@@ -72,8 +73,9 @@ JsonNode handles_node(const std::vector<Handle>& handles) {
     if (handle.turn) object.emplace_back("angle", JsonNode{handle.turn->angle});
     if (handle.turn) object.emplace_back("radius", JsonNode{handle.turn->radius});
     if (handle.stiff)
-      object.emplace_back("stiff", JsonNode{JsonNode::Object{{"factor", {handle.stiff->factor}},
-                                                             {"radius", {handle.stiff->radius}}}});
+      object.emplace_back("stiff",
+                          JsonNode{object_of(JsonMember("factor", {handle.stiff->factor}),
+                                             JsonMember("radius", {handle.stiff->radius}))});
     if (!handle.name.empty()) object.emplace_back("name", JsonNode{handle.name});
     array.push_back({std::move(object)});
   }
@@ -127,14 +129,14 @@ std::string path_from(const fs::path& new_folder, const std::string& path,
 
 std::string scene_text(const Scene& scene, const fs::path& folder) {
   assert(scene.energy);
-  JsonNode::Object root{{"version", {static_cast<double>(kSceneVersion)}}};
+  JsonNode::Object root = object_of(JsonMember("version", {static_cast<double>(kSceneVersion)}));
   if (!scene.description.empty()) root.emplace_back("description", JsonNode{scene.description});
   root.emplace_back("mesh", mesh_node(scene, path_from(folder, scene.mesh_path, scene.folder)));
   const std::string texture = path_from(folder, scene.texture_path, scene.folder);
   if (!texture.empty()) root.emplace_back("texture", JsonNode{texture});
   if (const auto& box = scene.texture_box)
     root.emplace_back("texture_box",
-                      JsonNode{JsonNode::Array{point_node(box->min), point_node(box->max)}});
+                      JsonNode{array_of(point_node(box->min), point_node(box->max))});
   if (scene.parts) root.emplace_back("parts", parts_node(*scene.parts));
   root.emplace_back("energy", JsonNode{std::string(scene.energy->name)});
   if (scene.stiffness) root.emplace_back("stiffness", stiffness_node(*scene.stiffness));

@@ -5,8 +5,8 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
-#include <system_error>
 #include <utility>
 
 namespace foldless {
@@ -50,8 +50,9 @@ class WithoutSignals {
 Team::Team(int threads) : ticket_(kClosed) {
   const WithoutSignals without;
   try {
+    helpers_.reserve(static_cast<std::size_t>(std::max(0, threads - 1)));
     for (int i = 1; i < threads; ++i) helpers_.emplace_back([this] { help(); });
-  } catch (const std::system_error&) {
+  } catch (const std::exception&) {
     return;  // those that are there do the work
   }
 }

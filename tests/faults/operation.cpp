@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <string_view>
 #include <thread>
 
 #include "core/files/atomic_file.h"
@@ -54,6 +55,13 @@ Faulted run_with_fault(const std::vector<std::string>& arguments, const std::str
   return {fs::exists(notes / "mark"), WIFEXITED(ended) ? WEXITSTATUS(ended) : -WTERMSIG(ended),
           read_file(notes / "err")};
 }
+
+bool wants_all_faults() {
+  const char* wanted = std::getenv("FOLDLESS_FAULTS");
+  return wanted && std::string_view(wanted) == "all";
+}
+
+long next_allocation(long n) { return wants_all_faults() ? n + 1 : n + 1 + n / 4; }
 
 void run_and_kill(const std::vector<std::string>& arguments, std::chrono::microseconds time) {
   const TemporaryFolder notes;

@@ -21,6 +21,11 @@ struct Faulted {
 Faulted run_with_fault(const std::vector<std::string>& arguments, const std::string& fault,
                        const std::filesystem::path& folder);
 
+/// Whether FOLDLESS_FAULTS=all asks for every fault that there is, which takes hours.
+bool wants_all_faults();
+/// The allocation that fails after the n-th: there are hundred thousands.
+long next_allocation(long n);
+
 /// Runs the program and kills it after a time, if it lives so long.
 void run_and_kill(const std::vector<std::string>& arguments, std::chrono::microseconds time);
 

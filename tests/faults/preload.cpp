@@ -3,7 +3,7 @@
 // before it. FOLDLESS_FAULT is `KIND:N` or `KIND:N:kill`, N from 1; calls that concern files count
 // where the file lies in the folder FOLDLESS_FAULT_IN. When it happens, the file
 // FOLDLESS_FAULT_MARK is made. Counting begins with the call of signal() that is the program's
-// first statement.
+// first statement. With `frame:1` the next allocation of the main thread fails after SIGUSR2.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -78,6 +78,12 @@ bool is_it(std::string_view kind, int descriptor) {
   return is_it(kind, path);
 }
 
+std::atomic<bool> is_armed = false;
+
+void arm(int) { is_armed = true; }
+
+bool is_frame() { return is_armed && gettid() == getpid() && is_armed.exchange(false); }
+
 int failed(int error) {
   errno = error;
   return -1;
@@ -94,7 +100,8 @@ int mode_of(int flags, va_list arguments) { return makes(flags) ? va_arg(argumen
 extern "C" {
 
 sighandler_t signal(int number, sighandler_t handler) noexcept {
-  has_begun = true;
+  if (!has_begun.exchange(true) && std::string_view(fault().kind) == "frame")
+    next<sighandler_t(int, sighandler_t)>("signal")(SIGUSR2, arm);
   return next<sighandler_t(int, sighandler_t)>("signal")(number, handler);
 }
 
@@ -103,7 +110,7 @@ int open(const char* path, int flags, ...) {
   va_start(arguments, flags);
   const int mode = mode_of(flags, arguments);
   va_end(arguments);
-  if (makes(flags) && is_it("open", path)) return failed(EMFILE);
+  if (is_it(makes(flags) ? "open" : "reopen", path)) return failed(EMFILE);
   return next<int(const char*, int, ...)>("open")(path, flags, mode);
 }
 
@@ -112,8 +119,13 @@ int open64(const char* path, int flags, ...) {
   va_start(arguments, flags);
   const int mode = mode_of(flags, arguments);
   va_end(arguments);
-  if (makes(flags) && is_it("open", path)) return failed(EMFILE);
+  if (is_it(makes(flags) ? "open" : "reopen", path)) return failed(EMFILE);
   return next<int(const char*, int, ...)>("open64")(path, flags, mode);
+}
+
+ssize_t read(int descriptor, void* bytes, size_t count) {
+  if (is_it("read", descriptor)) return failed(EIO);
+  return next<ssize_t(int, void*, size_t)>("read")(descriptor, bytes, count);
 }
 
 ssize_t write(int descriptor, const void* bytes, size_t count) {
@@ -122,7 +134,9 @@ ssize_t write(int descriptor, const void* bytes, size_t count) {
 }
 
 int fsync(int descriptor) {
-  if (is_it("fsync", descriptor)) return failed(EIO);
+  struct stat status {};
+  const bool is_folder = fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode);
+  if (is_it(is_folder ? "syncfolder" : "fsync", descriptor)) return failed(EIO);
   return next<int(int)>("fsync")(descriptor);
 }
 
@@ -152,7 +166,7 @@ int unlink(const char* path) noexcept {
 }  // extern "C"
 
 void* operator new(std::size_t size) {
-  if (is_it("new")) throw std::bad_alloc();
+  if (is_it("new") || is_frame()) throw std::bad_alloc();
   if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
   throw std::bad_alloc();
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # sweep_test.sh killed|parallel|slurm TREE BUILD: a sweep in eight shards gives the rows of one run, when
-#   killed    two of the shards of 256 scenes are killed at their work and begun again;
+#   killed    two of the shards of 256 scenes are killed at their work and begun again; FOLDLESS_KILLS says how
+#             often that is tried, at later and later moments;
 #   parallel  GNU parallel makes them, with the lines of docs/sweeps.md as they are pasted, of fewer scenes;
 #   slurm     a Slurm array does, of a cluster of this machine alone, which is begun here and ended.
 # Status 77: the engine is not installed, or does not begin here.
@@ -59,6 +60,16 @@ block_of() {
 }
 
 killed() {
+  local round
+  for ((round = 0; round < ${FOLDLESS_KILLS:-1}; round++)); do
+    rm -rf "$work"/*
+    kill_shards "$round"
+  done
+}
+
+# kill_shards ROUND: kills them when they have ROUND modulo 12 lines more than the first.
+kill_shards() {
+  local lines=$((1 + $1 % 12))
   # Every sixth scene is an easy one.
   local sweep=(--seed 5 --count 1536 --only "$(seq --separator=, 0 6 1530)" --method foldless) shard processes=()
   make() { foldless bench --suite random "${sweep[@]}" --shard "$1/8" --append "$1.jsonl" >/dev/null; }
@@ -67,7 +78,7 @@ killed() {
     processes+=($!)
   done
   for shard in 1 2; do
-    until [ -s "$shard.jsonl" ]; do sleep 0.01; done
+    until [ -s "$shard.jsonl" ] && [ "$(wc -l <"$shard.jsonl")" -ge "$lines" ]; do sleep 0.01; done
   done
   kill -KILL "${processes[@]}"
   wait "${processes[@]}" 2>/dev/null || true

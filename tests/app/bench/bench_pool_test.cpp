@@ -5,6 +5,7 @@
 
 #include "core/energy/densities.h"
 #include "core/mesh/generate.h"
+#include "core/method/methods.h"
 
 namespace foldless {
 namespace {
@@ -50,6 +51,24 @@ TEST(RunJobs, RowsComeInTheOrderOfTheJobsWhateverTheThreads) {
     EXPECT_EQ(three[i].distortion_energy, one[i].distortion_energy);
     EXPECT_TRUE(three[i].has_reached());
     EXPECT_GT(three[i].seconds, 0);
+  }
+}
+
+TEST(RunJobs, OfEveryMethodGiveTheSameWhateverTheThreads) {
+  const BenchScene scene = dragged_disk("scene", kSmall, 0.4);
+  std::vector<BenchJob> jobs;
+  for (const MethodRow& method : methods()) jobs.push_back(job_of(scene, std::string(method.name)));
+  const auto one = run_jobs(jobs, {.threads = 1}, {});
+  const auto many = run_jobs(jobs, {.threads = 4, .team = 2}, {});
+  ASSERT_EQ(one.size(), jobs.size());
+  ASSERT_EQ(many.size(), jobs.size());
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    SCOPED_TRACE(one[i].method);
+    EXPECT_EQ(many[i].method, one[i].method);
+    EXPECT_EQ(many[i].outcome, one[i].outcome);
+    EXPECT_EQ(many[i].last.factorizations, one[i].last.factorizations);
+    EXPECT_EQ(many[i].distortion_energy, one[i].distortion_energy) << "bit for bit";
+    EXPECT_EQ(many[i].handle_error_squared, one[i].handle_error_squared);
   }
 }
 

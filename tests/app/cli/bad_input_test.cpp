@@ -59,6 +59,20 @@ TEST(BadInput, ScenesAreRefusedWithFileAndLineAndNothingIsWritten) {
   EXPECT_EQ(messages.size(), scenes.size()) << "each has a message of its own";
 }
 
+TEST(BadInput, WhatCannotBeSolvedIsNamedToo) {
+  const TemporaryFolder folder;
+  // A triangle beside another is too small for any unit in which both can be solved.
+  write_text(folder / "scene.json", R"({"energy": "arap",
+    "mesh": {"vertices": [[0,0],[1e-251,0],[0,1e-251],[1e74,1e74]], "triangles": [[0,1,2],[1,3,2]]},
+    "handles": [{"vertex": 0, "target": [0,0], "id": 1}, {"vertex": 3, "target": [2,1], "id": 2}],
+    "animation": {"fps": 10, "frames": 2, "tracks": []}})");
+  const std::string expected = "foldless: " + (folder / "scene.json") +
+                               ": the mesh is too large or too small for double precision; "
+                               "scale it\n";
+  EXPECT_EQ(refusal({"solve", folder / "scene.json", "-o", folder / "out"}), expected);
+  EXPECT_EQ(refusal({"animate", folder / "scene.json", "-o", folder / "a.gif"}), expected);
+}
+
 TEST(BadInput, OptionsAreRefusedByName) {
   const TemporaryFolder folder;
   const std::string scene = folder / "scene.json";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -121,6 +122,37 @@ TEST(Bench, LeavesNoEmptyFolderWhereItCannotBegin) {
   const Ended ended = test::run({"bench", folder / "none.json", "-o", folder / "a/out"});
   EXPECT_EQ(ended.status, 2);
   EXPECT_FALSE(std::filesystem::exists(folder / "a/out"));
+}
+
+TEST(Bench, LeavesNoEmptyFolderForScenesThatItCannotWrite) {
+  const TemporaryFolder folder;
+  test::write_scene(folder / "one.json", test::grid_problem(4, Vec2(0.6, 0.6)));
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{20, before.rlim_max};  // as on a disk that is full
+  setrlimit(RLIMIT_FSIZE, &small);
+  const Ended ended = test::run({"bench", folder / "one.json", "--keep", folder / "kept"});
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(ended.status, 2) << ended.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "kept"));
+}
+
+TEST(Bench, RefusesScenesThatThereAreNot) {
+  const TemporaryFolder folder;
+  test::write_scene(folder / "one.json", test::grid_problem(4, Vec2(0.6, 0.6)));
+  for (const std::vector<std::string>& scenes : {std::vector<std::string>{folder / "one.json"},
+                                                 {"--suite", "random"},
+                                                 {"--suite", "paper"},
+                                                 {"--suite", "drag"},
+                                                 {"--suite", "hard"},
+                                                 {"--suite", "scale"}}) {
+    std::vector<std::string> arguments{"bench", "--only", "999999", "-o", folder / "out"};
+    arguments.insert(arguments.end(), scenes.begin(), scenes.end());
+    const Ended ended = test::run(arguments);
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_NE(ended.err.find("--only 999999: there is no such scene, only "), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
 }
 
 TEST(Bench, RefusesWhatItDoesNotUnderstand) {

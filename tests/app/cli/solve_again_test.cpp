@@ -13,6 +13,7 @@
 
 #include "tests/app/cli/result_reader.h"
 #include "tests/app/cli/solved.h"
+#include "tests/support/number_from.h"
 
 namespace foldless {
 namespace {
@@ -91,6 +92,7 @@ TEST(SolveAgain, RefusesToReplaceWhatItDidNotWrite) {
   EXPECT_TRUE(read_text(folder / "out/deformed.obj").ends_with("# by hand\n"));
 }
 
+/// FOLDLESS_KILLS says how often, FOLDLESS_SEED where the random moments begin.
 TEST(SolveAgain, KilledAtAnyMomentItLeavesAWholeResult) {
   const TemporaryFolder folder;
   test::write_scene(folder / "scene.json", flipping_problem());
@@ -111,10 +113,11 @@ TEST(SolveAgain, KilledAtAnyMomentItLeavesAWholeResult) {
   const auto longest = (std::chrono::steady_clock::now() - start) / kinds.size();
   write_text(folder / "out/notes.txt", "mine");
 
-  std::mt19937 random(7);
+  const auto kills = static_cast<std::size_t>(test::number_from("FOLDLESS_KILLS", 60));
+  std::mt19937 random(static_cast<unsigned>(test::number_from("FOLDLESS_SEED", 7)));
   std::size_t last = kinds.size() - 1;  // the kind whose result is there
   int killed = 0;
-  for (std::size_t i = 0; i < 60; ++i) {
+  for (std::size_t i = 0; i < kills; ++i) {
     std::vector<std::string> arguments{"solve", folder / "scene.json", "-o", folder / "out"};
     const auto& options = kinds[i % kinds.size()];
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -144,6 +147,7 @@ void expect_earlier_result_stays(const std::string& words, const Refuse& solve) 
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE(ended.err.find(words), std::string::npos) << ended.err;
   EXPECT_EQ(std::ranges::count(ended.err, '\n'), 1) << ended.err;
+  EXPECT_EQ(ended.err.find("-staged"), std::string::npos) << "a name within: " << ended.err;
   EXPECT_EQ(result_in(folder / "out"), before);
   expect_no_leftovers(folder / "out");
 }

@@ -52,6 +52,9 @@ TEST_F(AutosaveFolderTest, RemembersWhatTheCopiesAreOf) {
   EXPECT_EQ(folder.origin(), origin);
   std::ofstream(folder.path() / "origin.json") << "[]";
   EXPECT_EQ(folder.origin(), Origin{});
+  std::ofstream(folder.path() / "origin.json")
+      << R"({"path": "a", "name": "b"})" << std::string(2 << 20, ' ');
+  EXPECT_EQ(folder.origin(), Origin{}) << "nothing of that size is read";
 }
 
 TEST_F(AutosaveFolderTest, IsRemovedWithLeftoversButNotWithTheFilesOfOthers) {

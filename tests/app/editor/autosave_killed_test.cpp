@@ -7,11 +7,11 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <new>
 #include <random>
 
 #include "tests/app/editor/autosave_fixture.h"
+#include "tests/support/number_from.h"
 
 namespace foldless::test {
 namespace {
@@ -29,12 +29,6 @@ int step_of(const Document& document) {
   for (int step = 0; step < 2000 && document.handles.size() == 2; ++step)
     if ((document.handles.back().target - target_at(step)).norm() < 1e-6) return step;
   return -1;
-}
-
-/// As many as FOLDLESS_KILLS says; a few where it says nothing.
-int rounds() {
-  const char* wanted = std::getenv("FOLDLESS_KILLS");
-  return wanted ? std::atoi(wanted) : 6;
 }
 
 /// A program that drags a handle on and on until it is killed, and saves now and then. Counts the
@@ -66,15 +60,17 @@ int rounds() {
   }
 }
 
+/// FOLDLESS_KILLS says how often, FOLDLESS_SEED where the random moments begin.
 TEST_F(AutosaveKilled, AtAnyMomentItLeavesWhatWasDoneABlinkBefore) {
   editor_.reset();  // no thread of ours may run when the process is doubled
   void* shared = mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE,
                       MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ASSERT_NE(shared, MAP_FAILED);
   auto& steps = *new (shared) std::atomic<int>(0);
-  const unsigned seed = 20261123;
+  const int rounds = number_from("FOLDLESS_KILLS", 6);
+  const auto seed = static_cast<unsigned>(number_from("FOLDLESS_SEED", 20261123));
   std::mt19937 random(seed);
-  for (int round = 0; round < rounds(); ++round) {
+  for (int round = 0; round < rounds; ++round) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));
     TemporaryFolder folder;
     steps = 0;

@@ -5,6 +5,8 @@
 #include <bit>
 #include <sstream>
 
+#include "app/editor/scene_document.h"
+#include "core/scene/scene_io.h"
 #include "tests/support/pictures.h"
 
 namespace foldless::test {
@@ -49,13 +51,9 @@ std::string bits_of(const Document& document) {
   for (const double number : {document.parameters.alpha, document.parameters.beta.value_or(-1),
                               document.parameters.delta, document.parameters.eta})
     append(bits, number);
-  if (!document.stiffness) return bits;
-  for (const StiffStroke& stroke : document.stiffness->strokes()) {
-    append(bits, stroke.line);
-    append(bits, stroke.radius);
-    append(bits, stroke.factor);
-  }
-  return bits;
+  // Numbers stand in files with all their digits: bones, mirror, keys, parts, strokes, parameters.
+  const std::filesystem::path folder = "/";
+  return bits + scene_text(scene_of(document, folder / "scene.json", nullptr), folder);
 }
 
 RandomWork::RandomWork() { write_ring(folder_ / "ring.png", 40); }

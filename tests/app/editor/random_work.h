@@ -93,6 +93,8 @@ class RandomWork : public EditorTest {
   void race_methods();
   void texture();
   void any_key();
+  void bones();
+  void mirror();
 
   TemporaryFolder folder_;
   bool has_left_the_method_ = false;        ///< for one that may fold, or overlap at the boundary

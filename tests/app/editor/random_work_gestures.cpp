@@ -3,7 +3,6 @@
 
 #include "app/editor/handle_edits.h"
 #include "app/editor/parameter_rows.h"
-#include "app/editor/turning.h"
 #include "core/energy/densities.h"
 #include "core/method/methods.h"
 #include "tests/app/editor/random_work.h"
@@ -37,6 +36,8 @@ std::span<const RandomWork::Gesture> RandomWork::gestures() {
       {"race", 1, &RandomWork::race_methods},
       {"texture", 2, &RandomWork::texture},
       {"any key", 4, &RandomWork::any_key},
+      {"bones", 3, &RandomWork::bones},
+      {"mirror", 3, &RandomWork::mirror},
   });
   return kTable;
 }
@@ -131,22 +132,6 @@ void RandomWork::change_depths() {
     case 2: return set_depth(*editor_, real(-5, 5));
     default: return set_name(*editor_, "pin " + std::to_string(whole(0, 9)));
   }
-}
-
-void RandomWork::turn_with_handles() {
-  if (const auto at = a_handle(); at && happens_in(5)) {
-    send(PointerPressed{Button::left, *at, {}});
-    send(PointerReleased{Button::left, *at, {}});
-  }
-  switch (whole(0, 3)) {
-    case 0: set_turning(*editor_, happens_in(7)); break;
-    case 1: set_angle(*editor_, real(-90, 90)); break;
-    case 2: set_radius(*editor_, real(0.1, 3)); break;
-    default: set_coordinate(*editor_, whole(0, 1), real(-2, 10));
-  }
-  look();
-  if (const auto ring = handle_ring(*editor_); ring && happens_in(5))
-    stroke(ring->centre + Vec2(ring->radius, 0), {.shift = happens_in(2)});
 }
 
 void RandomWork::paint() {

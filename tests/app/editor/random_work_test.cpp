@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random gestures that make sense: nothing folds, and undo brings every step back bit for bit.
-#include <cstdlib>
 #include <iostream>
 
 #include "tests/app/editor/random_work.h"
+#include "tests/support/number_from.h"
 
 namespace foldless::test {
 namespace {
 
 constexpr int kGesturesOfASession = 100;
-
-int number_from(const char* variable, int otherwise) {
-  const char* text = std::getenv(variable);
-  return text ? std::atoi(text) : otherwise;
-}
 
 /// Handles are on vertices of the mesh, no two on one, and what is selected exists.
 bool is_consistent(const Editor& editor) {

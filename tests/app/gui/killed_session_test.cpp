@@ -23,6 +23,7 @@
 #include "core/method/methods.h"
 #include "core/scene/scene_io.h"
 #include "tests/app/gui/headless_editor.h"
+#include "tests/support/number_from.h"
 #include "tests/support/pictures.h"
 #include "tests/support/temporary_folder.h"
 
@@ -194,11 +195,6 @@ int step_of(const Editor& editor) {
   return step;
 }
 
-int killings() {
-  const char* wanted = std::getenv("FOLDLESS_KILLS");
-  return wanted ? std::atoi(wanted) : 3;
-}
-
 class KilledSessions : public testing::Test {
  protected:
   /// Lets a session work for some time and a few steps more, and ends it.
@@ -243,12 +239,13 @@ class KilledSessions : public testing::Test {
   int steps_ = 0;
 };
 
-/// FOLDLESS_KILLS says how often.
+/// FOLDLESS_KILLS says how often, FOLDLESS_SEED where the random moments begin.
 TEST_F(KilledSessions, LeaveWholeFilesAndAllWorkButTheLastSteps) {
-  const unsigned seed = 20261124;
+  const int killings = number_from("FOLDLESS_KILLS", 3);
+  const auto seed = static_cast<unsigned>(number_from("FOLDLESS_SEED", 20261124));
   std::mt19937 random(seed);
   int files = 0;
-  for (int round = 0; round < killings(); ++round) {
+  for (int round = 0; round < killings; ++round) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));
     folder_ = std::make_unique<TemporaryFolder>();
     fs::create_directory(*folder_ / "files");

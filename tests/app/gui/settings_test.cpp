@@ -2,6 +2,7 @@
 #include "app/gui/settings.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -44,6 +45,13 @@ TEST_F(SettingsFile, FallsBackOnDefaultsForWhatCannotBeUsed) {
   EXPECT_EQ(load_settings(folder_ / "missing.json"), Settings{});
   std::ofstream(folder_ / "bad.json") << "{\"scale\": \"big\", \"theme\": 7";
   EXPECT_EQ(load_settings(folder_ / "bad.json"), Settings{});
+  std::ofstream(folder_ / "large.json") << R"({"scale": 1.5})" << std::string(2 << 20, ' ');
+  EXPECT_EQ(load_settings(folder_ / "large.json"), Settings{});
+}
+
+TEST_F(SettingsFile, APipeInItsPlaceIsNotWaitedFor) {
+  ASSERT_EQ(mkfifo((folder_ / "settings.json").c_str(), 0600), 0);
+  EXPECT_EQ(load_settings(folder_ / "settings.json"), Settings{});
 }
 
 TEST_F(SettingsFile, KeepsTheScaleInItsRange) {

@@ -83,6 +83,22 @@ TEST_F(RealWindow, WhenTheDisplayGoesUnsavedWorkIsKept) {
   expect_copy_of_the_drag();
 }
 
+#ifdef FOLDLESS_FAULTS_LIBRARY
+TEST_F(RealWindow, WhenAFrameThrowsUnsavedWorkIsKept) {
+  setenv("LD_PRELOAD", FOLDLESS_FAULTS_LIBRARY, 1);
+  setenv("FOLDLESS_FAULT", "frame:1", 1);
+  ASSERT_NO_FATAL_FAILURE(start_program());
+  unsetenv("LD_PRELOAD");
+  ASSERT_NO_FATAL_FAILURE(drag(640, 400, 40, 120));
+  ASSERT_TRUE(comes_to_rest());
+  kill(program_->pid(), SIGUSR2);
+  ASSERT_NO_FATAL_FAILURE(tool("mousemove 300 300 mousemove 320 320"));
+  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
+  EXPECT_TRUE(WIFEXITED(program_->status()) && WEXITSTATUS(program_->status()) == 2);
+  expect_copy_of_the_drag();
+}
+#endif
+
 TEST(NoDisplay, EditorSaysSoInOneLineAndEndsWithStatus2) {
   const std::string output = output_of("env -u DISPLAY " FOLDLESS_PROGRAM " 2>&1; echo status $?");
   EXPECT_NE(output.find("display"), std::string::npos) << output;

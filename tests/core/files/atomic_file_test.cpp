@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/atomic_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,8 +11,11 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <thread>
+#include <vector>
 
+#include "core/files/small_file.h"
 #include "tests/support/errors.h"
 #include "tests/support/temporary_folder.h"
 
@@ -69,6 +74,60 @@ TEST(AtomicFile, LeavesNoTemporaryWhenTheTargetIsAFolder) {
   fs::create_directory(folder / "a");
   EXPECT_NE(error_of([&] { write_file_atomically(folder / "a", "text"); }), "");
   EXPECT_EQ(file_count(folder.path()), 1);
+}
+
+/// A hidden file as a process leaves it that is killed while it writes.
+void leave_half(const fs::path& file, int number) {
+  write_new_file(file.parent_path() / (staged_prefix(file) + "00000" + std::to_string(number)),
+                 "half", file);
+}
+
+TEST(AtomicFile, RemovesWhatKilledWritersOfTheSameFileLeft) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 3; ++i) leave_half(folder / "a.txt", i);
+  leave_half(folder / "b.txt", 0);
+  write_file_atomically(folder / "a.txt", "new");
+  EXPECT_EQ(read_file(folder / "a.txt"), "new");
+  EXPECT_EQ(file_count(folder.path()), 2) << "that of the other file stays";
+}
+
+TEST(AtomicFile, LeavesWhatAWriterThatLivesWorksOn) {
+  const TemporaryFolder folder;
+  leave_half(folder / "a.txt", 0);
+  const fs::path in_use = *fs::directory_iterator(folder.path());
+  const int lock = ::open(in_use.c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
+  leave_half(folder / "a.txt", 1);
+  write_file_atomically(folder / "a.txt", "new");
+  EXPECT_EQ(read_file(in_use), "half");
+  EXPECT_EQ(file_count(folder.path()), 2);
+  ::close(lock);
+}
+
+TEST(AtomicFile, WritersOfOneFileDoNotDisturbEachOther) {
+  const TemporaryFolder folder;
+  {
+    std::vector<std::jthread> writers;
+    for (const char letter : {'a', 'b', 'c'})
+      writers.emplace_back([&, letter] {
+        for (int i = 0; i < 40; ++i)
+          EXPECT_NO_THROW(write_file_atomically(folder / "a.txt", std::string(5000, letter)));
+      });
+  }
+  const std::string bytes = read_file(folder / "a.txt");
+  EXPECT_EQ(bytes, std::string(5000, bytes.front()));
+  EXPECT_EQ(file_count(folder.path()), 1);
+}
+
+TEST(SmallFile, IsReadWhereItIsOneAndElseEmpty) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_small_file(folder.write("a.json", "{}")), "{}");
+  EXPECT_EQ(read_small_file(folder / "absent.json"), "");
+  EXPECT_EQ(read_small_file(folder.path()), "");
+  EXPECT_EQ(read_small_file(folder.write("large.json", std::string((1 << 20) + 1, ' '))), "");
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(read_small_file(pipe), "") << "and nobody is waited for";
 }
 
 TEST(AtomicFile, WritesUnderTheLongestNameThatAFileCanHave) {

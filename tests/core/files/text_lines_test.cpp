@@ -49,6 +49,16 @@ TEST(ParseNumber, TellsTooLargeFromTooSmall) {
   EXPECT_EQ(parse_number("1e999"), HUGE_VAL);
   EXPECT_EQ(parse_number("-1e999"), -HUGE_VAL);
   EXPECT_EQ(parse_number("1e-999"), 0);
+  for (const char* word : {"0.1e400", "0.001e+999", "+12e308", "1e99999999999999999999"})
+    EXPECT_EQ(parse_number(word), HUGE_VAL) << word;
+  for (const char* word : {"-0.1E400", "-900.5e307"})
+    EXPECT_EQ(parse_number(word), -HUGE_VAL) << word;
+  for (const char* word : {"0.1e-400", "12345e-400", "-1000.5E-999", "0.001e-99999999999999999999"})
+    EXPECT_EQ(parse_number(word), 0) << word;
+  EXPECT_EQ(parse_number("0." + std::string(400, '0') + "1e300"), 1e-101);
+  EXPECT_EQ(parse_number("0." + std::string(400, '0') + "1e10"), 0);
+  EXPECT_EQ(parse_number("1" + std::string(400, '0')), HUGE_VAL);
+  EXPECT_EQ(parse_number("1" + std::string(400, '0') + "e-400"), 1);
   EXPECT_EQ(parse_number("5e-324"), std::numeric_limits<double>::denorm_min());
   EXPECT_TRUE(std::isnan(*parse_number("nan")));
   EXPECT_TRUE(std::isinf(*parse_number("-inf")));

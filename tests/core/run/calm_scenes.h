@@ -48,6 +48,12 @@ inline std::ostream& operator<<(std::ostream& out, const End& end) {
              << (end.satisfied ? "satisfied" : "not satisfied");
 }
 
+/// To 1e-6, in units of `scale` to one.
+inline void expect_same_distortion(const End& found, const End& expected, double scale = 1) {
+  const double E_d = scale * scale * expected.distortion_energy;
+  EXPECT_NEAR(found.distortion_energy, E_d, 1e-6 * E_d);
+}
+
 /// How a method ends; "refused" where it does not take the energy.
 inline End end_of(Problem problem, std::string_view method) {
   problem.parameters.method = method;

@@ -17,6 +17,7 @@ namespace {
 
 using test::calm_scenes;
 using test::end_of;
+using test::expect_same_distortion;
 
 struct Result {
   Triangles triangles;
@@ -77,11 +78,6 @@ std::string name_of_row(const testing::TestParamInfo<MethodRow>& row) {
   std::string name(row.param.name);
   std::ranges::replace(name, '-', '_');
   return name;
-}
-
-void expect_same_distortion(const test::End& found, const test::End& expected) {
-  const double E_d = expected.distortion_energy;
-  EXPECT_NEAR(found.distortion_energy, E_d, 1e-6 * E_d);
 }
 
 class Determinism : public testing::TestWithParam<MethodRow> {};

@@ -15,6 +15,7 @@ namespace {
 using test::calm_scenes;
 using test::End;
 using test::end_of;
+using test::expect_same_distortion;
 using test::placed;
 
 double diagonal_of(const Problem& problem) {
@@ -55,7 +56,9 @@ TEST_P(Units, TheUnitOfLengthHasNoInfluence) {
     const End expected = end_of(problem, GetParam().name);
     for (const double scale : {1e-6, 1.3, 7.0, 1e6}) {
       SCOPED_TRACE(testing::Message() << name << " × " << scale);
-      EXPECT_EQ(end_of(placed(problem, scale, Vec2::Zero()), GetParam().name), expected);
+      const End found = end_of(placed(problem, scale, Vec2::Zero()), GetParam().name);
+      EXPECT_EQ(found, expected);
+      expect_same_distortion(found, expected, scale);
     }
   }
 }
@@ -64,7 +67,10 @@ TEST_P(Units, ThePlaceHasNoInfluence) {
   for (const auto& [name, problem] : calm_scenes()) {
     SCOPED_TRACE(name);
     const Vec2 far = Vec2(1e3, 1e3) * diagonal_of(problem);
-    EXPECT_EQ(end_of(placed(problem, 1, far), GetParam().name), end_of(problem, GetParam().name));
+    const End expected = end_of(problem, GetParam().name);
+    const End found = end_of(placed(problem, 1, far), GetParam().name);
+    EXPECT_EQ(found, expected);
+    expect_same_distortion(found, expected);
   }
 }
 

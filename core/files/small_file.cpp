@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/small_file.h"
+
+#include <system_error>
+
+#include "core/error.h"
+#include "core/files/atomic_file.h"
+
+namespace foldless {
+
+std::string read_small_file(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kMostBytes = 1 << 20;
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(file, failure)) return {};
+  if (std::filesystem::file_size(file, failure) > kMostBytes || failure) return {};
+  try {
+    return read_file(file);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+}  // namespace foldless
