@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/editor/scene_document.h"
+#include "app/editor/sources.h"
 #include "core/files/mesh_io.h"
 #include "core/method/methods.h"
 #include "core/scene/scene_io.h"
@@ -136,7 +137,9 @@ void DocumentFiles::load(const PendingAction& action) {
 void DocumentFiles::open_mesh(const std::filesystem::path& path) {
   LoadedMesh mesh = read_mesh(path);
   Shape shape{std::move(mesh.triangles), std::move(mesh.points)};
-  install(document_of(std::move(shape), path.stem().string()), "Open " + path.filename().string());
+  Document document = document_of(std::move(shape), path.stem().string());
+  document.mesh_file = path;
+  install(document, "Open " + path.filename().string());
   for (std::string& notice : mesh.notices) messages_.toast(ToastKind::notice, std::move(notice));
 }
 
@@ -226,6 +229,7 @@ std::string DocumentFiles::try_save_as(const std::filesystem::path& path) {
     return failure.what();
   }
   file_.take(file, stamp_of(file));
+    expect_no_source(draft_.document(), file);
   mark_saved();
   recent_.add(file);
   messages_.toast(

@@ -5,6 +5,7 @@
 
 #include "app/export/vector_figure.h"
 #include "app/gui/background_exports.h"
+#include "app/gui/export_place.h"
 #include "app/gui/file_browser.h"
 #include "core/error.h"
 #include "core/files/mesh_io.h"
@@ -20,6 +21,7 @@ void export_mesh(const Editor& editor, const std::filesystem::path& path) {
 void carry_out(const ExportJob& job, Editor& editor, const ExportMeans& means) {
   const auto& [renderer, exports, browser] = means;
   try {
+    expect_no_export_of_source(editor, job.path);
     if (job.animation) return exports.animation.start(job.path, editor, *job.animation);
     if (job.is_sequence) return exports.sequence.start(job.path, editor, job.picture);
     if (vector_format_of(job.path)) return exports.figure.start(job.path, editor, job.picture);

@@ -41,8 +41,10 @@ struct UiState {
   PlotZoom plot_zoom;                 ///< of all plots
   bool has_time_axis = false;         ///< plots over seconds of processor time, not over iterations
   std::filesystem::path last_folder;  ///< where the last file was opened or saved
-  Modifiers modifiers;                ///< held now
-  std::optional<Vec2> pointer;        ///< on the canvas, framebuffer pixels
+  std::filesystem::path exported_to;  ///< the folder of the last export
+  std::filesystem::path exported_from;  ///< the document's own folder then
+  Modifiers modifiers;                  ///< held now
+  std::optional<Vec2> pointer;          ///< on the canvas, framebuffer pixels
   TimeLineState time_line;
   std::string handle_search;            ///< in the list of handles
   std::optional<HeatRange> heat_range;  ///< of the heat map on screen
