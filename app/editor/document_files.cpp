@@ -66,10 +66,15 @@ void DocumentFiles::drop(const std::vector<std::filesystem::path>& paths) {
                                            " of the files were left out");
   if (used == 2)
     ask_or_perform({PendingKind::open, full_path(*document), false, full_path(*image)});
-  else if (document == paths.end() && !draft_.document().is_empty() && !import_.is_open())
+  else if (document == paths.end() && has_own_mesh() && !import_.is_open())
     set_texture(*image);
   else
     open(paths.front());
+}
+
+/// Nobody dresses the sample that the first window shows.
+bool DocumentFiles::has_own_mesh() const {
+  return !draft_.document().is_empty() && !(is_sample_ && !is_dirty());
 }
 
 void DocumentFiles::open_sample(const std::filesystem::path& path) {
@@ -123,7 +128,8 @@ void DocumentFiles::load(const PendingAction& action) {
     else
       open_scene(path);
     if (!action.texture.empty()) set_texture(action.texture);
-    if (action.is_sample)
+    is_sample_ = action.is_sample;
+    if (is_sample_)
       file_.leave();
     else
       recent_.add(path);
@@ -165,7 +171,7 @@ void DocumentFiles::install(const Document& document, const std::string& label) 
   draft_.install(document, label);
   view_.fit_all();
   file_.leave();
-  asks_to_overwrite_ = false;
+  is_sample_ = asks_to_overwrite_ = false;
   mark_saved();
 }
 
@@ -223,13 +229,13 @@ std::string DocumentFiles::try_save_as(const std::filesystem::path& path) {
   std::filesystem::path file = full_path(path);
   if (file.extension().empty()) file += ".json";
   try {
+    expect_no_source(draft_.document(), file);
     auto view = std::make_shared<const nlohmann::json>(view_.json());
     save_scene(scene_of(draft_.document(), file, std::move(view)), file);
   } catch (const std::exception& failure) {
     return failure.what();
   }
   file_.take(file, stamp_of(file));
-    expect_no_source(draft_.document(), file);
   mark_saved();
   recent_.add(file);
   messages_.toast(
