@@ -16,6 +16,7 @@
 #include "app/gui/input_feed.h"
 #include "app/gui/interface_picture.h"
 #include "app/gui/names_on_screen.h"
+#include "app/gui/news.h"
 #include "app/gui/panels.h"
 #include "app/gui/preview.h"
 #include "app/gui/race_layout.h"
@@ -35,15 +36,6 @@ namespace {
 /// ImGui lays out what it met for the first time one frame later, and popups two.
 constexpr int kSettlingFrames = 3;
 constexpr double kLookSeconds = 0.03;  ///< between looks at files read and written
-
-/// What the editor shows without being asked to by an event.
-struct News {
-  bool asks = false;       ///< before something is lost
-  std::size_t toasts = 0;  ///< messages on screen
-  bool previews = false;   ///< something else than the document
-  std::string words;       ///< on that
-  bool operator==(const News&) const = default;
-};
 
 /// The user's choice; until there is one, drawings are posed and meshes are studied.
 Workspace workspace_for(const Settings& settings, const Editor& editor) {
@@ -167,9 +159,7 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);
   const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
-  const auto preview = preview_of(editor);
-  const News news{editor.files().is_asking(), editor.messages().toasts().size(),
-                  preview.has_value(), preview ? preview->words : ""};
+  const News news = news_of(editor);
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order())
     carry_out(*job, editor, {p.scenes.canvas_renderer(), p.exports, p.state.browser});
