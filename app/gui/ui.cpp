@@ -163,7 +163,7 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order())
     carry_out(*job, editor, {p.scenes.canvas_renderer(), p.exports, p.state.browser});
-  update_exports(p.exports, editor, spec.time);
+  update_exports(p.exports, editor, p.state.browser, spec.time);
   const bool has_drawn = draw_frame(editor, spec);
   p.has_thumbnails_to_make = editor.document().is_empty() && p.thumbnails.update();
   remember(editor, p.state.settings);
@@ -272,6 +272,8 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
 bool Ui::is_exporting() const { return parts_->exports.is_busy(); }
 
 const Layout& Ui::layout() const { return parts_->layout; }
+
+bool Ui::is_writing_a_file() const { return parts_->exports.file.is_busy(); }
 
 CursorShape Ui::cursor() const {
   if (ImGui::GetIO().WantTextInput && ImGui::GetMouseCursor() == ImGuiMouseCursor_TextInput)

@@ -40,7 +40,16 @@ void HeadlessEditor::frame() {
 void HeadlessEditor::settle() {
   frame();
   for (int i = 0; i < kManyFrames && ui_.next_frame(editor_, time_) == 0.0; ++i) frame();
+  wait_for_file();
   expect_no_defects();
+}
+
+/// Tests look at the file as soon as the keys for it were pressed.
+void HeadlessEditor::wait_for_file() {
+  while (ui_.is_writing_a_file()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    for (int i = 0; i < 4; ++i) frame();  // what is said of it has its place then
+  }
 }
 
 /// While something is solved lists grow from frame to frame, and ImGui learns how wide they are and
