@@ -14,6 +14,9 @@
 namespace foldless {
 namespace {
 
+/// Of a picture, that are brought to the graphics card: a few milliseconds.
+constexpr std::size_t kPixelsOfAFrame = 1'500'000;
+
 /// Targets belong to the deformed mesh.
 Snapshot with_targets_at_rest(Snapshot snapshot) {
   for (Handle& handle : snapshot.handles) handle.target = snapshot.rest->col(handle.vertex);
@@ -46,11 +49,17 @@ std::optional<HeatRange> common_range(const Sight& sight) {
 
 bool Scenes::follow(Editor& editor, const Layout& layout, Extent framebuffer) {
   const bool has_new_texture = follow_texture(editor);
-  Sight sight = sight_of(editor, layout, framebuffer);
-  const bool differs = has_new_texture || sight != sight_;
+  Sight sight = sight_of(editor, layout, framebuffer, has_squares);
+  const bool has_more_texture = canvas_.upload_texture(kPixelsOfAFrame);
+  const bool differs = has_new_texture || has_more_texture || sight != sight_;
   sight_ = std::move(sight);
   if (editor.race().is_open()) add_lanes(editor.race().lanes().size());
   return differs;
+}
+
+SceneRenderer& Scenes::canvas_renderer() {
+  canvas_.upload_texture();
+  return canvas_;
 }
 
 void Scenes::add_lanes(std::size_t count) {
@@ -103,7 +112,7 @@ bool Scenes::follow_texture(Editor& editor) {
   for (const auto& lane : lanes_) lane->clear_texture();
   if (!image) return true;
   try {
-    canvas_.set_texture(*image, place);
+    canvas_.begin_texture(*image, place);
     for (const auto& lane : lanes_) lane->set_texture(*image, place);
   } catch (const Error& error) {
     editor.messages().toast(ToastKind::error, error.what());

@@ -23,8 +23,10 @@ class Scenes {
   void draw();
   /// The scale of the heat map on screen; nothing when that layer is off.
   const std::optional<HeatRange>& heat_range() const { return heat_range_; }
-  /// Of the canvas.
-  SceneRenderer& canvas_renderer() { return canvas_; }
+  /// A picture is still on its way to the graphics card: more frames are wanted.
+  bool is_uploading() const { return !canvas_.has_whole_texture(); }
+  /// Of the canvas, with all of its picture.
+  SceneRenderer& canvas_renderer();
 
  private:
   bool follow_texture(Editor& editor);

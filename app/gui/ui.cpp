@@ -259,7 +259,8 @@ void Ui::draw_panels(Editor& editor) {
 }
 
 std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
-  if (parts_->settling > 0 || !parts_->feed.is_empty()) return 0.0;
+  const bool is_late = parts_->scenes.is_uploading() || !parts_->feed.is_empty();
+  if (parts_->settling > 0 || is_late) return 0.0;
   std::optional<double> next;
   if (const auto wake = editor.next_wake()) next = std::max(0.0, *wake - now);
   for (const auto& due : {parts_->settings_keeper.due(), parts_->tooltips.due()})
