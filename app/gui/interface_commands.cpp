@@ -95,6 +95,8 @@ void add_panels(std::vector<InterfaceCommand>& commands) {
       on_off({"view.artboard", "Outline of the canvas", {}}, &Settings::shows_artboard));
 }
 
+  commands.push_back(
+      on_off({"view.squares", "Squares behind the picture", {}}, &Settings::shows_squares));
 void add_dialogs(std::vector<InterfaceCommand>& commands) {
   commands.push_back(
       {"edit.keys", "Edit", "", "Keys…", {}, [](UiState& state) { state.keys.open(); }, {}});

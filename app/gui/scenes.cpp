@@ -47,7 +47,7 @@ std::optional<HeatRange> common_range(const Sight& sight) {
 
 }  // namespace
 
-bool Scenes::follow(Editor& editor, const Layout& layout, Extent framebuffer) {
+bool Scenes::follow(Editor& editor, const Layout& layout, Extent framebuffer, bool has_squares) {
   const bool has_new_texture = follow_texture(editor);
   Sight sight = sight_of(editor, layout, framebuffer, has_squares);
   const bool has_more_texture = canvas_.upload_texture(kPixelsOfAFrame);
@@ -85,6 +85,10 @@ void Scenes::draw(const SceneInSight& scene, const std::optional<HeatRange>& com
   SceneRenderer& renderer = scene.lane ? *lanes_[*scene.lane] : canvas_;
   ViewOptions options = scene.options;
   if (common) options.heat_scale = {common->min, common->max};
+  if (scene.squares) {
+    squares_.draw(*scene.squares, {scene.viewport, scene.camera, options.ui_scale}, sight_.theme);
+    options.background = Background::keep;
+  }
   SceneView view{scene.viewport, scene.camera, scene.selected, scene.hovered};
   if (scene.energy) view.energy_densities = energy_densities(*scene.pose, *scene.energy, options);
   view.stiffness = scene.stiffness;

@@ -176,7 +176,8 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
 /// The panels need what the scenes find, the heat map's scale, and cover them.
 bool Ui::draw_frame(Editor& editor, const FrameSpec& spec) {
   Parts& p = *parts_;
-  const bool has_new_scenes = p.scenes.follow(editor, p.layout, spec.framebuffer);
+  const bool has_new_scenes =
+      p.scenes.follow(editor, p.layout, spec.framebuffer, p.state.settings.shows_squares);
   if (has_new_scenes) p.scenes.draw();
   p.state.heat_range = p.scenes.heat_range();
   draw_panels(editor);
@@ -272,9 +273,9 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
 
 bool Ui::is_exporting() const { return parts_->exports.is_busy(); }
 
-const Layout& Ui::layout() const { return parts_->layout; }
-
 bool Ui::is_writing_a_file() const { return parts_->exports.file.is_busy(); }
+
+const Layout& Ui::layout() const { return parts_->layout; }
 
 CursorShape Ui::cursor() const {
   if (ImGui::GetIO().WantTextInput && ImGui::GetMouseCursor() == ImGuiMouseCursor_TextInput)
