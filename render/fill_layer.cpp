@@ -73,10 +73,22 @@ void FillLayer::set_texture(const TexturePieces& pieces, const std::optional<Box
     made.push_back({std::nullopt, piece.within});
     // A layer ends where it was cut down; the mesh has a margin.
     const Beyond beyond = piece.within == Box{} ? Beyond::edge : Beyond::nothing;
-    if (piece.levels) made.back().image.emplace(*piece.levels, beyond);
+    if (piece.levels) made.back().image.emplace(piece.levels, beyond);
   }
   pieces_ = std::move(made);
   image_place_ = place;
+}
+
+std::size_t FillLayer::upload_texture(std::size_t pixels) {
+  std::size_t done = 0;
+  for (Piece& piece : pieces_)
+    if (piece.image && done < pixels) done += piece.image->upload(pixels - done);
+  return done;
+}
+
+bool FillLayer::has_whole_texture() const {
+  return std::ranges::all_of(
+      pieces_, [](const Piece& piece) { return !piece.image || piece.image->is_whole(); });
 }
 
 void FillLayer::draw(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,

@@ -29,8 +29,12 @@ class FillLayer {
 
   /// Images instead of the checkerboard, or with none the checkerboard again: one for the mesh, or
   /// one for each of its parts. What they are pieces of fills `place` of the rest plane; absent:
-  /// the box of the rest mesh. Throws Error as FillTexture.
+  /// the box of the rest mesh. They are brought by upload_texture(). Throws Error as FillTexture.
   void set_texture(const TexturePieces& pieces, const std::optional<Box>& place = std::nullopt);
+
+  /// As FillTexture::upload(), of all images together.
+  std::size_t upload_texture(std::size_t pixels);
+  bool has_whole_texture() const;
 
   // Each draws one sheet of the mesh.
 

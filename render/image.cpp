@@ -49,8 +49,8 @@ std::pair<std::string, std::string> text_of(const PngChunk& chunk) {
 }  // namespace
 
 std::span<const std::string_view> image_extensions() {
-  static constexpr std::array<std::string_view, 7> kExtensions{".png", ".jpg", ".jpeg", ".webp",
-                                                               ".ora", ".kra", ".psd"};
+  static constexpr std::array<std::string_view, 8> kExtensions{".png", ".jpg", ".jpeg", ".webp",
+                                                               ".gif", ".ora", ".kra",  ".psd"};
   return kExtensions;
 }
 

@@ -48,12 +48,13 @@ std::span<const std::string_view> image_extensions();
 /// True for the names of such files, in any case.
 bool is_image_file(const std::filesystem::path& file);
 
-/// Reads a PNG, JPEG (CMYK too) or WebP, or the merged picture of an OpenRaster, Krita or Photoshop
-/// file; its first bytes tell which. Throws Error when the file cannot be read, is none of these,
-/// is damaged, or is larger than 16384 pixels a side or 100 million in all.
+/// Reads a PNG, JPEG (CMYK too) or WebP, the first picture of a GIF, or the merged one of an
+/// OpenRaster, Krita or Photoshop file; its first bytes tell which. Throws Error when the file
+/// cannot be read, is none of these, is damaged, or is larger than 16384 pixels a side or 100
+/// million in all.
 Image load_image(const std::filesystem::path& path);
 
-/// As load_image(), from the bytes of a PNG, JPEG or WebP. What it throws names no file.
+/// As load_image(), from the bytes of a PNG, JPEG, WebP or GIF. What it throws names no file.
 Image decode_image(std::string_view bytes);
 
 /// Throws Error on a size in pixels that load_image() refuses; for use before memory is taken.

@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "render/gif_image.h"
 #include "render/image.h"
 #include "render/jpeg_scans.h"
 #include "render/layered/layer_formats.h"
@@ -133,7 +134,8 @@ Image decode_image(std::string_view bytes) {
   if (bytes.starts_with(kPngSignature)) return decode_png(bytes);
   if (bytes.starts_with("\xFF\xD8\xFF")) return decode_jpeg(bytes);
   if (is_webp(bytes)) return decode_webp(bytes);
-  throw Error("is not a PNG, JPEG or WebP image");
+  if (is_gif(bytes)) return decode_gif(bytes);
+  throw Error("is not a PNG, JPEG, WebP or GIF image");
 }
 
 Image load_image(const std::filesystem::path& path) {

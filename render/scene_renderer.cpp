@@ -75,8 +75,19 @@ SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
 void SceneRenderer::set_texture(const TexturePieces& pieces, const std::optional<Box>& place) {
+  begin_texture(pieces, place);
+  upload_texture();
+}
+
+void SceneRenderer::begin_texture(const TexturePieces& pieces, const std::optional<Box>& place) {
   parts_->fill.set_texture(pieces, place);
 }
+
+bool SceneRenderer::upload_texture(std::size_t pixels) {
+  return parts_->fill.upload_texture(pixels) > 0;
+}
+
+bool SceneRenderer::has_whole_texture() const { return parts_->fill.has_whole_texture(); }
 
 void SceneRenderer::set_texture(const Image& image, const std::optional<Box>& place) {
   set_texture(*whole_texture(image), place);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -47,6 +49,12 @@ class SceneRenderer {
   /// rest plane ↔ the picture as a whole; absent: the box of the rest mesh.
   void set_texture(const TexturePieces& pieces, const std::optional<Box>& place = std::nullopt);
   void set_texture(const Image& image, const std::optional<Box>& place = std::nullopt);
+  /// The same, but little more than what is seen of it from far is there at first; the rest comes
+  /// by upload_texture(), for a window that goes on meanwhile.
+  void begin_texture(const TexturePieces& pieces, const std::optional<Box>& place = std::nullopt);
+  /// Brings about so many more pixels to the graphics card; returns whether any were missing.
+  bool upload_texture(std::size_t pixels = std::numeric_limits<std::size_t>::max());
+  bool has_whole_texture() const;
   /// Back to the checkerboard.
   void clear_texture();
 

@@ -91,8 +91,9 @@ Call parse_arguments(int argc, const char* const* argv) {
   app.add_flag("--version", wants_version, "print the version and end");
   app.add_flag("--verbose", is_verbose, "with --version: what the program was built with, too");
   EditorCall editor;
-  app.add_option("FILE", editor.file,
-                 "scene, mesh or image to open in the editor; a sample when absent");
+  app.add_option(
+      "FILE", editor.file,
+      "scene, mesh or image to open in the editor; when absent recent files, or a sample");
   app.add_option(
          "--record", editor.record,
          "write what is done in the editor to a file, for replay; Shift+F12 takes a picture")

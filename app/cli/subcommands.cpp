@@ -131,7 +131,7 @@ CLI::App* add_render(CLI::App& app, RenderCall& call, Texts& texts, RenderFlags&
 CLI::App* add_mesh(CLI::App& app, MeshCall& call) {
   CLI::App* mesh = app.add_subcommand("mesh", "make a triangle mesh of what an image shows");
   mesh->add_option("IMAGE", call.image,
-                   "PNG, JPEG, WebP, OpenRaster, Krita or Photoshop; transparent is outside")
+                   "PNG, JPEG, WebP, GIF, OpenRaster, Krita or Photoshop; transparent is outside")
       ->required();
   mesh->add_option("-o,--output", call.output, "scene with the image as texture, or mesh")
       ->required()
@@ -161,7 +161,7 @@ CLI::App* add_check(CLI::App& app, CheckCall& call) {
 
 CLI::App* add_compare(CLI::App& app, CompareCall& call) {
   CLI::App* compare = app.add_subcommand("compare", "tell whether two pictures are alike");
-  compare->add_option("A", call.first, "PNG, JPEG or WebP")->required();
+  compare->add_option("A", call.first, "PNG, JPEG, WebP or GIF")->required();
   compare->add_option("B", call.second, "the other one")->required();
   compare
       ->add_option("--tolerance", call.tolerance,

@@ -38,6 +38,7 @@ struct Document {
   std::shared_ptr<const Animation> animation;  ///< of the handles; null: none
   const Density* energy = nullptr;             ///< a row of densities(), never null
   Parameters parameters;
+  std::filesystem::path mesh_file;         ///< from which `original` was read; empty: none
   std::filesystem::path texture;           ///< absolute path of an image; empty: checkerboard
   std::optional<TextureBox> texture_box;   ///< absent: the box of the rest mesh
   std::shared_ptr<const MeshParts> parts;  ///< that show layers of the texture; null: none

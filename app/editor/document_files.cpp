@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/editor/scene_document.h"
+#include "app/editor/sources.h"
 #include "core/exception_words.h"
 #include "core/files/mesh_io.h"
 #include "core/method/methods.h"
@@ -66,10 +67,15 @@ void DocumentFiles::drop(const std::vector<std::filesystem::path>& paths) {
                                            " of the files were left out");
   if (used == 2)
     ask_or_perform({PendingKind::open, full_path(*document), false, full_path(*image)});
-  else if (document == paths.end() && !draft_.document().is_empty() && !import_.is_open())
+  else if (document == paths.end() && has_own_mesh() && !import_.is_open())
     set_texture(*image);
   else
     open(paths.front());
+}
+
+/// Nobody dresses the sample that the first window shows.
+bool DocumentFiles::has_own_mesh() const {
+  return !draft_.document().is_empty() && !(is_sample_ && !is_dirty());
 }
 
 void DocumentFiles::open_sample(const std::filesystem::path& path) {
@@ -123,7 +129,8 @@ void DocumentFiles::load(const PendingAction& action) {
     else
       open_scene(path);
     if (!action.texture.empty()) set_texture(action.texture);
-    if (action.is_sample)
+    is_sample_ = action.is_sample;
+    if (is_sample_)
       file_.leave();
     else
       recent_.add(path);
@@ -137,7 +144,9 @@ void DocumentFiles::load(const PendingAction& action) {
 void DocumentFiles::open_mesh(const std::filesystem::path& path) {
   LoadedMesh mesh = read_mesh(path);
   Shape shape{std::move(mesh.triangles), std::move(mesh.points)};
-  install(document_of(std::move(shape), path.stem().string()), "Open " + path.filename().string());
+  Document document = document_of(std::move(shape), path.stem().string());
+  document.mesh_file = path;
+  install(document, "Open " + path.filename().string());
   for (std::string& notice : mesh.notices) messages_.toast(ToastKind::notice, std::move(notice));
 }
 
@@ -163,7 +172,7 @@ void DocumentFiles::install(const Document& document, const std::string& label) 
   draft_.install(document, label);
   view_.fit_all();
   file_.leave();
-  asks_to_overwrite_ = false;
+  is_sample_ = asks_to_overwrite_ = false;
   mark_saved();
 }
 
@@ -221,6 +230,7 @@ std::string DocumentFiles::try_save_as(const std::filesystem::path& path) {
   std::filesystem::path file = full_path(path);
   if (file.extension().empty()) file += ".json";
   try {
+    expect_no_source(draft_.document(), file);
     auto view = std::make_shared<const nlohmann::json>(view_.json());
     save_scene(scene_of(draft_.document(), file, std::move(view)), file);
   } catch (const std::exception& failure) {

@@ -53,9 +53,9 @@ class DocumentFiles {
   /// Opens a scene or a mesh, or begins to import an image, by its extension; asks first when
   /// there are unsaved changes.
   void open(const std::filesystem::path& path);
-  /// As open(), but an image becomes the texture of the mesh where there is one. Of several files
-  /// the first mesh or scene is opened, with the first image as its texture; what is left over is
-  /// said.
+  /// As open(), but an image becomes the texture of the mesh where there is one, unless that is a
+  /// sample in which nothing was changed. Of several files the first mesh or scene is opened, with
+  /// the first image as its texture; what is left over is said.
   void drop(const std::vector<std::filesystem::path>& paths);
   /// Opens a scene as a copy without a path: saving asks where to, and it is not a recent file.
   void open_sample(const std::filesystem::path& path);
@@ -125,6 +125,7 @@ class DocumentFiles {
   void ask_or_perform(PendingAction action);
   void perform_pending();
   void load(const PendingAction& action);
+  bool has_own_mesh() const;
   void open_mesh(const std::filesystem::path& path);
   void open_scene(const std::filesystem::path& path);
   /// A new document, saved nowhere yet.
@@ -143,6 +144,7 @@ class DocumentFiles {
   Messages& messages_;
   RecentFiles recent_;
   SceneFile file_;
+  bool is_sample_ = false;  ///< it came with the program
   bool asks_to_overwrite_ = false;
   static constexpr std::uint64_t kNeverSaved = 0;  ///< no step has this id
   std::uint64_t saved_step_ = kNeverSaved;

@@ -64,8 +64,9 @@ void Draft::refresh_shown() {
   proof_ = pose ? proof_of(*pose) : Proof{};
 }
 
+/// What was merged so far is a step of its own, even where the edit is given up.
 void Draft::begin_edit() {
-  history_.refresh(document_);
+  seal();
   edit_ = Edit{document_, solving_.is_running()};
   take_over_look_back();
 }

@@ -55,6 +55,8 @@ Document document_of(const Scene& scene, const std::filesystem::path& file) {
   document.energy = scene.energy;
   document.stiffness = scene.stiffness;
   document.parameters = scene.parameters;
+  if (!scene.mesh_path.empty())
+    document.mesh_file = (scene.folder / scene.mesh_path).lexically_normal();
   if (!scene.texture_path.empty())
     document.texture = (scene.folder / scene.texture_path).lexically_normal();
   document.texture_box = scene.texture_box;

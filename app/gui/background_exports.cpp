@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/gui/short_text.h"
 #include "app/gui/theme.h"
 
 namespace foldless {
@@ -36,8 +37,8 @@ void draw_bar(float share, const std::string& words, const Look& look) {
 
 }  // namespace
 
-void update_exports(BackgroundExports& exports, Editor& editor, double time) {
-  exports.figure.update(editor);
+void update_exports(BackgroundExports& exports, Editor& editor, FileBrowser& browser, double time) {
+  exports.file.update(editor, browser);
   if (!exports.sequence.is_busy() && !exports.animation.is_busy()) return;
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -49,11 +50,17 @@ void update_exports(BackgroundExports& exports, Editor& editor, double time) {
 void draw_progress(BackgroundExports& exports, const Rectangle& canvas, const Look& look) {
   SequenceExport& sequence = exports.sequence;
   AnimationExport& animation = exports.animation;
-  if (!sequence.is_busy() && !animation.is_busy()) return;
+  if (!exports.is_busy()) return;
   ImGui::SetNextWindowPos({canvas.x + look.px(12), canvas.y + canvas.height - look.px(12)},
                           ImGuiCond_Always, {0, 1});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, look.palette->popup);
   ImGui::Begin("##exports", nullptr, kProgress);
+  if (exports.file.is_busy()) {
+    const std::string name = exports.file.path().filename().string();
+    ImGui::TextUnformatted(("Writing " + shortened(name, look.px(220))).c_str());
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel##file")) exports.file.cancel();
+  }
   if (sequence.is_busy()) {
     ImGui::TextUnformatted("Writing the sequence");
     const auto done = static_cast<float>(sequence.written());

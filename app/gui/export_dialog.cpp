@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/gui/dialog_keys.h"
-#include "app/gui/requests.h"
+#include "app/gui/export_place.h"
 #include "app/gui/ui_state.h"
 #include "app/gui/widgets.h"
 #include "core/error.h"
@@ -156,13 +156,12 @@ void ExportDialog::ask_for_file(Editor& editor, UiState& state) {
   request.title = is_folder ? "Export: name of a new folder" : "Export";
   if (!is_folder) request.extensions = {extension};
   const std::string folder = is_animation() ? "-frames" : "-iterations";
-  request.start =
-      starting_folder(editor, state) / (suggested_name(editor) + (is_folder ? folder : extension));
+  request.start = suggested_export(editor, state, is_folder ? folder : extension);
   job_.animation.reset();
   if (is_animation()) job_.animation = animation_.choice(job_.picture.is_transparent);
   job_.is_sequence = is_folder && !is_animation();
-  request.chosen = [this, &state](const std::filesystem::path& path) {
-    state.last_folder = path.parent_path();
+  request.chosen = [this, &editor, &state](const std::filesystem::path& path) {
+    remember_export(editor, state, path);
     job_.path = path;
     last_ = ordered_ = job_;
     ordered_->is_chosen_now = true;

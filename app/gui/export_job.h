@@ -26,10 +26,6 @@ struct ExportJob {
   bool is_picture() const { return path.extension() == ".png"; }
 };
 
-/// Writes the mesh on screen; `.obj` carries the rest positions as `vt`. Throws Error when it
-/// cannot be written.
-void export_mesh(const Editor& editor, const std::filesystem::path& path);
-
 /// What an export is made with.
 struct ExportMeans {
   SceneRenderer& renderer;
@@ -37,8 +33,8 @@ struct ExportMeans {
   FileBrowser& browser;
 };
 
-/// Writes what a job asks for and says so; figures and sequences when they are done, by `exports`.
-/// Where that fails, the file browser asks again if it was there that the file was chosen.
+/// Begins to write what a job asks for, by `exports`, which say when it is done. Where that fails,
+/// the file browser asks again if it was there that the file was chosen.
 void carry_out(const ExportJob& job, Editor& editor, const ExportMeans& means);
 
 }  // namespace foldless

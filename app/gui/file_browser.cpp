@@ -12,6 +12,7 @@ namespace foldless {
 
 void FileBrowser::ask(FileRequest request) {
   request_ = std::move(request);
+  ++asked_;
   is_open_ = opens_now_ = true;
   text_ = saves() ? request_.start.filename().string() : "";
   std::error_code ignored;

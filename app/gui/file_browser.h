@@ -38,6 +38,8 @@ class FileBrowser {
   /// Asks the last request again, with the name as it was: the file could not be written. Says why.
   void ask_again(const std::string& problem);
   bool is_open() const { return is_open_; }
+  /// How often ask() was called.
+  std::size_t asked() const { return asked_; }
   /// The folder that it shows, or showed last.
   const DirectoryListing& listing() const { return listing_; }
   void draw(const Look& look);
@@ -69,6 +71,7 @@ class FileBrowser {
   bool saves() const { return request_.purpose == FileRequest::Purpose::save; }
 
   FileRequest request_;
+  std::size_t asked_ = 0;
   DirectoryListing listing_;
   std::vector<std::size_t> shown_;   ///< indices of the entries that pass the filter
   std::size_t selected_ = 0;         ///< index into shown_

@@ -26,10 +26,10 @@ void begin_field(const char* name, const Look& look) {
 /// A typed number counts with Enter: a click elsewhere may select other handles at once.
 std::optional<double> draw_number(const char* id, std::optional<double> common, double step) {
   double value = common.value_or(0);
-  constexpr ImGuiInputTextFlags kFlags =
+  constexpr ImGuiInputTextFlags kValueFlags =
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
   const char* format = common ? "%.6g" : "several";
-  if (!ImGui::InputDouble(id, &value, step, 10 * step, format, kFlags)) return std::nullopt;
+  if (!ImGui::InputDouble(id, &value, step, 10 * step, format, kValueFlags)) return std::nullopt;
   return value;
 }
 

@@ -2,12 +2,16 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "app/editor/handle_edits.h"
 #include "app/gui/directory.h"
 #include "app/gui/panels.h"
 #include "app/gui/short_text.h"
@@ -46,11 +50,47 @@ void draw_search(std::string& text, std::size_t handles) {
   ImGui::InputTextWithHint("##search", "Search", &text);
 }
 
+/// In place of a row: Enter takes the name, Esc and a click elsewhere leave it.
+void draw_name_field(NameField& field, Editor& editor, UiState& state) {
+  const bool is_new = std::exchange(field.is_new, false);
+  if (is_new) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2{ImGui::GetStyle().FramePadding.x, 0});
+  const bool is_taken =
+      ImGui::InputText("##name of row", &field.text,
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopStyleVar();
+  if (is_taken) set_name(editor, field.text);
+  if (is_taken || ImGui::IsItemDeactivated()) state.handle_name.reset();
+}
+
+/// By its command, where the one handle that is selected is in the list on screen.
+void begin_name_field(const Editor& editor, UiState& state) {
+  const auto& selected = editor.selection().ids();
+  const bool is_asked = ImGui::GetFrameCount() - state.handle_name_frame <= 1;
+  if (!is_asked || selected.size() != 1 || state.handle_name) return;
+  state.handle_name_frame = kNoFrame;
+  const Handle* handle = find_handle(editor.document(), *selected.begin());
+  if (handle) state.handle_name = NameField{handle->id, handle->name};
+}
+
+void scroll_to_name_field(const std::vector<HandleView>& handles, const UiState& state) {
+  if (!state.handle_name || !state.handle_name->is_new) return;
+  const auto row = std::ranges::find(handles, state.handle_name->handle, &HandleView::id);
+  if (row == handles.end()) return;
+  const float top =
+      static_cast<float>(row - handles.begin()) * ImGui::GetTextLineHeightWithSpacing();
+  ImGui::SetScrollFromPosY(ImGui::GetCursorStartPos().y + top - ImGui::GetScrollY());
+}
+
 void draw_row(const HandleView& handle, Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
+  if (auto& field = context.state.handle_name; field && field->handle == handle.id)
+    return draw_name_field(*field, editor, context.state);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushID(handle.id);
-  const bool clicked = ImGui::Selectable("##handle", handle.is_selected);
+  const bool clicked =
+      ImGui::Selectable("##handle", handle.is_selected, ImGuiSelectableFlags_AllowDoubleClick);
   if (ImGui::IsItemHovered()) editor.selection().hover(handle.id);
   ImGui::PopID();
   const float line = ImGui::GetTextLineHeight();
@@ -67,6 +107,11 @@ void draw_row(const HandleView& handle, Editor& editor, const PanelContext& cont
   list.AddText({left, corner.y}, packed(look.palette->text),
                elided(name, right - width - look.px(8) - left).c_str());
   if (!clicked) return;
+  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    editor.selection().select({handle.id});
+    context.state.handle_name = NameField{handle.id, handle.name};
+    return;
+  }
   std::set<int> selection =
       context.state.modifiers.shift ? editor.selection().ids() : std::set<int>{};
   if (!selection.erase(handle.id)) selection.insert(handle.id);
@@ -83,6 +128,7 @@ void draw_handles_panel(Editor& editor, const PanelContext& context) {
     ImGui::PopTextWrapPos();
     return;
   }
+  begin_name_field(editor, context.state);
   std::string& search = context.state.handle_search;
   draw_search(search, handles.size());
   std::erase_if(handles, [&](const HandleView& handle) {
@@ -90,6 +136,7 @@ void draw_handles_panel(Editor& editor, const PanelContext& context) {
   });
   const float most = context.look.px(220);
   begin_rows({0, std::min(rows_height(handles.size(), context.look), most)}, context.look);
+  scroll_to_name_field(handles, context.state);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(handles.size()));
   while (clipper.Step())

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/gui/panels.h"
+#include "app/gui/short_text.h"
 #include "app/gui/widgets.h"
 
 namespace foldless {
@@ -19,7 +20,9 @@ void draw_history_panel(Editor& editor, const PanelContext& context) {
     const bool is_undone = i > history.current();
     ImGui::PushID(static_cast<int>(i));
     ImGui::PushStyleColor(ImGuiCol_Text, is_undone ? look.palette->dim : look.palette->text);
-    if (ImGui::Selectable(steps[i].label.c_str(), i == history.current())) chosen = i;
+    const std::string label = elided(steps[i].label, ImGui::GetContentRegionAvail().x);
+    if (ImGui::Selectable(label.c_str(), i == history.current())) chosen = i;
+    if (label != steps[i].label) tooltip(steps[i].label, look);
     ImGui::PopStyleColor();
     ImGui::PopID();
     if (i == history.current() && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();

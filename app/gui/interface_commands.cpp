@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/interface_commands.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -93,9 +95,18 @@ void add_panels(std::vector<InterfaceCommand>& commands) {
       on_off({"view.rulers", "Rulers", {{Key::r, {.shift = true}}}}, &Settings::shows_rulers));
   commands.push_back(
       on_off({"view.artboard", "Outline of the canvas", {}}, &Settings::shows_artboard));
+  commands.push_back(
+      on_off({"view.squares", "Squares behind the picture", {}}, &Settings::shows_squares));
 }
 
 void add_dialogs(std::vector<InterfaceCommand>& commands) {
+  commands.push_back({"handle.name",
+                      "Handles",
+                      "",
+                      "Name…",
+                      {{Key::f2, {}}},
+                      [](UiState& state) { state.handle_name_frame = ImGui::GetFrameCount(); },
+                      {}});
   commands.push_back(
       {"edit.keys", "Edit", "", "Keys…", {}, [](UiState& state) { state.keys.open(); }, {}});
   commands.push_back({"help.messages",

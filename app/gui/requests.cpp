@@ -7,6 +7,7 @@
 
 #include "app/editor/race_setup.h"
 #include "app/editor/race_table.h"
+#include "app/gui/export_place.h"
 #include "app/gui/plot_export.h"
 #include "core/data_path.h"
 #include "core/error.h"
@@ -116,10 +117,11 @@ void ask_where_to_export(const TextExport& job, Editor& editor, UiState& state) 
   request.purpose = FileRequest::Purpose::save;
   request.title = job.title;
   request.extensions = job.extensions;
-  request.start = starting_folder(editor, state) / (suggested_name(editor) + job.ending);
+  request.start = suggested_export(editor, state, job.ending);
   request.chosen = [&editor, &state, text = job.text](const std::filesystem::path& path) {
-    state.last_folder = path.parent_path();
+    remember_export(editor, state, path);
     try {
+      expect_no_export_of_source(editor, path);
       write_file_atomically(path, text(path));
       editor.messages().toast(ToastKind::notice, "Wrote " + path.string());
     } catch (const Error& error) {
@@ -176,20 +178,6 @@ void ask_for_lane_scene(std::size_t lane, Editor& editor, UiState& state) {
     }
   };
   state.browser.ask(std::move(request));
-}
-
-std::filesystem::path starting_folder(const Editor& editor, const UiState& state) {
-  if (!state.last_folder.empty()) return state.last_folder;
-  if (!editor.files().path().empty())
-    return std::filesystem::absolute(editor.files().path()).parent_path();
-  std::error_code ignored;
-  return std::filesystem::current_path(ignored);
-}
-
-std::string suggested_name(const Editor& editor) {
-  if (!editor.files().path().empty()) return editor.files().path().stem().string();
-  const std::string& name = editor.document().name;
-  return name.empty() ? "scene" : std::filesystem::path(name).stem().string();
 }
 
 bool handle_requests(Editor& editor, UiState& state, const std::filesystem::path& pictures_folder) {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <string>
 
 #include "app/editor/editor.h"
 #include "app/gui/ui_state.h"
@@ -17,11 +16,5 @@ bool handle_requests(Editor& editor, UiState& state, const std::filesystem::path
 /// Asks for the scene that a lane of the race takes method, energy and numbers from; where it is of
 /// no use the lane stays as it is, and a message says why.
 void ask_for_lane_scene(std::size_t lane, Editor& editor, UiState& state);
-
-/// The folder where the user was last: of the last dialog, of the document, or the present one.
-std::filesystem::path starting_folder(const Editor& editor, const UiState& state);
-
-/// A name without extension for a new file of this document.
-std::string suggested_name(const Editor& editor);
 
 }  // namespace foldless

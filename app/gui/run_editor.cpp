@@ -79,15 +79,12 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// A file, or the sample that invites a drag.
   void open(const std::optional<std::filesystem::path>& file) {
-    if (file) {
-      opened_ = {*file, false};
-      editor_.files().open(*file);
-    } else {
-      opened_ = {welcome_scene(), true};
+    opened_ = opened_first(file, editor_.files().recent());
+    if (opened_.is_sample)
       editor_.files().open_sample(opened_.file);
-    }
+    else if (!opened_.file.empty())
+      editor_.files().open(opened_.file);
     editor_.files().find_lost_work();
   }
 
@@ -192,6 +189,15 @@ class Session {
 };
 
 }  // namespace
+
+SessionStart opened_first(const std::optional<std::filesystem::path>& file,
+                          const std::vector<std::filesystem::path>& recent) {
+  if (file) return {*file, is_sample(*file)};
+  std::error_code ignored;
+  const auto is_there = [&](const auto& path) { return std::filesystem::exists(path, ignored); };
+  if (std::ranges::any_of(recent, is_there)) return {};
+  return {welcome_scene(), true};
+}
 
 int run_editor(const std::optional<std::filesystem::path>& file,
                const std::filesystem::path& record) {

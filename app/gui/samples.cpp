@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "core/data_path.h"
@@ -45,13 +46,15 @@ bool comes_before(const Sample& a, const Sample& b) {
 }
 
 /// Empty when the program's data is missing.
-std::filesystem::path samples_folder() {
+std::filesystem::path data_folder(std::string_view relative) {
   try {
-    return data_path("assets/scenes");
+    return data_path(relative);
   } catch (const Error&) {
     return {};
   }
 }
+
+std::filesystem::path samples_folder() { return data_folder("assets/scenes"); }
 
 std::string description_of(const std::filesystem::path& file) {
   std::ifstream in(file);
@@ -75,6 +78,15 @@ std::vector<Sample> find_samples() {
 bool is_sample(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::equivalent(path.parent_path(), samples_folder(), ignored);
+}
+
+bool is_data_folder(const std::filesystem::path& folder) {
+  static constexpr std::array<std::string_view, 3> kFolders{"assets/scenes", "assets/meshes",
+                                                            "assets/images"};
+  std::error_code ignored;
+  return std::ranges::any_of(kFolders, [&](std::string_view data) {
+    return std::filesystem::equivalent(folder, data_folder(data), ignored);
+  });
 }
 
 std::filesystem::path welcome_scene() { return data_path("assets/scenes/welcome.json"); }

@@ -20,6 +20,10 @@ std::vector<Sample> find_samples();
 /// True for a scene that comes with the program: it is opened as a copy.
 bool is_sample(const std::filesystem::path& path);
 
+/// True for a folder of scenes, meshes or images that come with the program: nothing is to be
+/// written there.
+bool is_data_folder(const std::filesystem::path& folder);
+
 /// The scene that the program opens on when it is given none.
 std::filesystem::path welcome_scene();
 

@@ -14,6 +14,9 @@
 namespace foldless {
 namespace {
 
+/// Of a picture, that are brought to the graphics card: a few milliseconds.
+constexpr std::size_t kPixelsOfAFrame = 1'500'000;
+
 /// Targets belong to the deformed mesh.
 Snapshot with_targets_at_rest(Snapshot snapshot) {
   for (Handle& handle : snapshot.handles) handle.target = snapshot.rest->col(handle.vertex);
@@ -44,13 +47,19 @@ std::optional<HeatRange> common_range(const Sight& sight) {
 
 }  // namespace
 
-bool Scenes::follow(Editor& editor, const Layout& layout, Extent framebuffer) {
+bool Scenes::follow(Editor& editor, const Layout& layout, Extent framebuffer, bool has_squares) {
   const bool has_new_texture = follow_texture(editor);
-  Sight sight = sight_of(editor, layout, framebuffer);
-  const bool differs = has_new_texture || sight != sight_;
+  Sight sight = sight_of(editor, layout, framebuffer, has_squares);
+  const bool has_more_texture = canvas_.upload_texture(kPixelsOfAFrame);
+  const bool differs = has_new_texture || has_more_texture || sight != sight_;
   sight_ = std::move(sight);
   if (editor.race().is_open()) add_lanes(editor.race().lanes().size());
   return differs;
+}
+
+SceneRenderer& Scenes::canvas_renderer() {
+  canvas_.upload_texture();
+  return canvas_;
 }
 
 void Scenes::add_lanes(std::size_t count) {
@@ -76,6 +85,10 @@ void Scenes::draw(const SceneInSight& scene, const std::optional<HeatRange>& com
   SceneRenderer& renderer = scene.lane ? *lanes_[*scene.lane] : canvas_;
   ViewOptions options = scene.options;
   if (common) options.heat_scale = {common->min, common->max};
+  if (scene.squares) {
+    squares_.draw(*scene.squares, {scene.viewport, scene.camera, options.ui_scale}, sight_.theme);
+    options.background = Background::keep;
+  }
   SceneView view{scene.viewport, scene.camera, scene.selected, scene.hovered};
   if (scene.energy) view.energy_densities = energy_densities(*scene.pose, *scene.energy, options);
   view.stiffness = scene.stiffness;
@@ -103,7 +116,7 @@ bool Scenes::follow_texture(Editor& editor) {
   for (const auto& lane : lanes_) lane->clear_texture();
   if (!image) return true;
   try {
-    canvas_.set_texture(*image, place);
+    canvas_.begin_texture(*image, place);
     for (const auto& lane : lanes_) lane->set_texture(*image, place);
   } catch (const Error& error) {
     editor.messages().toast(ToastKind::error, error.what());

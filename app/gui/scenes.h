@@ -10,6 +10,7 @@
 #include "app/gui/layout.h"
 #include "app/gui/sight.h"
 #include "render/scene_renderer.h"
+#include "render/transparency_squares.h"
 
 namespace foldless {
 
@@ -18,13 +19,16 @@ namespace foldless {
 class Scenes {
  public:
   /// Finds what is in sight; returns whether any of it differs from what was there before.
-  bool follow(Editor& editor, const Layout& layout, Extent framebuffer);
+  /// `has_squares`: grey ones behind a drawing.
+  bool follow(Editor& editor, const Layout& layout, Extent framebuffer, bool has_squares);
   /// Clears the framebuffer and draws what is in sight.
   void draw();
   /// The scale of the heat map on screen; nothing when that layer is off.
   const std::optional<HeatRange>& heat_range() const { return heat_range_; }
-  /// Of the canvas.
-  SceneRenderer& canvas_renderer() { return canvas_; }
+  /// A picture is still on its way to the graphics card: more frames are wanted.
+  bool is_uploading() const { return !canvas_.has_whole_texture(); }
+  /// Of the canvas, with all of its picture.
+  SceneRenderer& canvas_renderer();
 
  private:
   bool follow_texture(Editor& editor);
@@ -33,6 +37,7 @@ class Scenes {
 
   Sight sight_;
   SceneRenderer canvas_;
+  TransparencySquares squares_;
   /// One a lane: each keeps its mesh on the graphics card.
   std::vector<std::unique_ptr<SceneRenderer>> lanes_;
   std::shared_ptr<const TexturePieces> image_;  ///< that they show

@@ -64,6 +64,7 @@ Settings load_settings(const std::filesystem::path& file) {
   read.number("scale", settings.scale, kSmallestScale, kLargestScale);
   read.boolean("panels", settings.shows_panels);
   read.boolean("artboard", settings.shows_artboard);
+  read.boolean("squares", settings.shows_squares);
   read.boolean("rulers", settings.shows_rulers);
   read.number("left_panel_width", settings.panel_widths.left, kNarrowestPanels.left,
               kWidestPanels.left);
@@ -99,6 +100,7 @@ std::string settings_text(const Settings& settings) {
                       {"theme", kThemeNames[static_cast<std::size_t>(settings.theme)]},
                       {"panels", settings.shows_panels},
                       {"artboard", settings.shows_artboard},
+                      {"squares", settings.shows_squares},
                       {"rulers", settings.shows_rulers},
                       {"left_panel_width", settings.panel_widths.left},
                       {"right_panel_width", settings.panel_widths.right},

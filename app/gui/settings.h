@@ -24,6 +24,7 @@ struct Settings {
   Theme theme = Theme::dark;
   bool shows_panels = true;
   bool shows_artboard = true;  ///< the outline of a drawing's canvas
+  bool shows_squares = false;  ///< grey ones, where a drawing is transparent
   bool shows_rulers = false;
   PanelWidths panel_widths;
   double time_line_height = kTimeLineHeight;  ///< of its keys [design pixels]

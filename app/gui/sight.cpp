@@ -107,7 +107,7 @@ std::vector<SceneInSight> race_scenes(const Editor& editor, const Layout& layout
 
 }  // namespace
 
-Sight sight_of(Editor& editor, const Layout& layout, Extent framebuffer) {
+Sight sight_of(Editor& editor, const Layout& layout, Extent framebuffer, bool has_squares) {
   Sight sight{framebuffer, editor.view().options().theme, {}};
   if (const auto preview = preview_of(editor)) {
     if (preview->pose) sight.scenes.push_back(preview_scene(*preview, editor, layout, framebuffer));
@@ -115,6 +115,8 @@ Sight sight_of(Editor& editor, const Layout& layout, Extent framebuffer) {
     sight.scenes = race_scenes(editor, layout, framebuffer);
   } else if (editor.shown()) {
     sight.scenes = document_scenes(editor, layout, framebuffer);
+    if (has_squares && !editor.view().are_overlays_hidden())
+      for (SceneInSight& scene : sight.scenes) scene.squares = box_of(editor.view().artboard());
   }
   return sight;
 }

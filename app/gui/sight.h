@@ -26,6 +26,7 @@ struct SceneInSight {
   std::optional<int> hovered = {};    ///< id of a handle
   std::vector<float> stiffness = {};  ///< of the triangles; empty: not shown
   ViewOptions options;
+  std::optional<Box> squares = {};  ///< grey ones, seen through the picture; nothing: none
   const Density* energy = nullptr;  ///< that the heat map may show
 
   bool operator==(const SceneInSight&) const = default;
@@ -41,6 +42,7 @@ struct Sight {
 };
 
 /// What is to be seen now: a preview, the lanes of a race, or the document and what is beside it.
-Sight sight_of(Editor& editor, const Layout& layout, Extent framebuffer);
+/// `has_squares`: behind a drawing.
+Sight sight_of(Editor& editor, const Layout& layout, Extent framebuffer, bool has_squares);
 
 }  // namespace foldless

@@ -16,6 +16,7 @@
 #include "app/gui/input_feed.h"
 #include "app/gui/interface_picture.h"
 #include "app/gui/names_on_screen.h"
+#include "app/gui/news.h"
 #include "app/gui/panels.h"
 #include "app/gui/preview.h"
 #include "app/gui/race_layout.h"
@@ -35,15 +36,6 @@ namespace {
 /// ImGui lays out what it met for the first time one frame later, and popups two.
 constexpr int kSettlingFrames = 3;
 constexpr double kLookSeconds = 0.03;  ///< between looks at files read and written
-
-/// What the editor shows without being asked to by an event.
-struct News {
-  bool asks = false;       ///< before something is lost
-  std::size_t toasts = 0;  ///< messages on screen
-  bool previews = false;   ///< something else than the document
-  std::string words;       ///< on that
-  bool operator==(const News&) const = default;
-};
 
 /// The user's choice; until there is one, drawings are posed and meshes are studied.
 Workspace workspace_for(const Settings& settings, const Editor& editor) {
@@ -167,13 +159,11 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);
   const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
-  const auto preview = preview_of(editor);
-  const News news{editor.files().is_asking(), editor.messages().toasts().size(),
-                  preview.has_value(), preview ? preview->words : ""};
+  const News news = news_of(editor);
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order())
     carry_out(*job, editor, {p.scenes.canvas_renderer(), p.exports, p.state.browser});
-  update_exports(p.exports, editor, spec.time);
+  update_exports(p.exports, editor, p.state.browser, spec.time);
   const bool has_drawn = draw_frame(editor, spec);
   p.has_thumbnails_to_make = editor.document().is_empty() && p.thumbnails.update();
   remember(editor, p.state.settings);
@@ -186,7 +176,8 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
 /// The panels need what the scenes find, the heat map's scale, and cover them.
 bool Ui::draw_frame(Editor& editor, const FrameSpec& spec) {
   Parts& p = *parts_;
-  const bool has_new_scenes = p.scenes.follow(editor, p.layout, spec.framebuffer);
+  const bool has_new_scenes =
+      p.scenes.follow(editor, p.layout, spec.framebuffer, p.state.settings.shows_squares);
   if (has_new_scenes) p.scenes.draw();
   p.state.heat_range = p.scenes.heat_range();
   draw_panels(editor);
@@ -269,7 +260,8 @@ void Ui::draw_panels(Editor& editor) {
 }
 
 std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
-  if (parts_->settling > 0 || !parts_->feed.is_empty()) return 0.0;
+  const bool is_late = parts_->scenes.is_uploading() || !parts_->feed.is_empty();
+  if (parts_->settling > 0 || is_late) return 0.0;
   std::optional<double> next;
   if (const auto wake = editor.next_wake()) next = std::max(0.0, *wake - now);
   for (const auto& due : {parts_->settings_keeper.due(), parts_->tooltips.due()})
@@ -280,6 +272,8 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
 }
 
 bool Ui::is_exporting() const { return parts_->exports.is_busy(); }
+
+bool Ui::is_writing_a_file() const { return parts_->exports.file.is_busy(); }
 
 const Layout& Ui::layout() const { return parts_->layout; }
 

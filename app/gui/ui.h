@@ -54,6 +54,8 @@ class Ui {
 
   /// A file is being written while the user goes on.
   bool is_exporting() const;
+  /// It is one that takes a moment: a picture, a figure or a mesh.
+  bool is_writing_a_file() const;
 
   /// Where things were in the last frame.
   const Layout& layout() const;

@@ -21,6 +21,15 @@
 
 namespace foldless {
 
+inline constexpr int kNoFrame = -10;
+
+/// The name of a handle while it is typed in its row.
+struct NameField {
+  int handle = 0;
+  std::string text;
+  bool is_new = true;  ///< it still needs the keyboard
+};
+
 /// What the panels remember from frame to frame and the document does not hold.
 struct UiState {
   Settings settings;
@@ -41,12 +50,16 @@ struct UiState {
   PlotZoom plot_zoom;                 ///< of all plots
   bool has_time_axis = false;         ///< plots over seconds of processor time, not over iterations
   std::filesystem::path last_folder;  ///< where the last file was opened or saved
-  Modifiers modifiers;                ///< held now
-  std::optional<Vec2> pointer;        ///< on the canvas, framebuffer pixels
+  std::filesystem::path exported_to;  ///< the folder of the last export
+  std::filesystem::path exported_from;  ///< the document's own folder then
+  Modifiers modifiers;                  ///< held now
+  std::optional<Vec2> pointer;          ///< on the canvas, framebuffer pixels
   TimeLineState time_line;
-  std::string handle_search;            ///< in the list of handles
-  std::optional<HeatRange> heat_range;  ///< of the heat map on screen
-  std::optional<double> hovered_heat;   ///< its value under the pointer
+  std::string handle_search;             ///< in the list of handles
+  std::optional<NameField> handle_name;  ///< that is typed in the list
+  int handle_name_frame = kNoFrame;      ///< in which it was asked for
+  std::optional<HeatRange> heat_range;   ///< of the heat map on screen
+  std::optional<double> hovered_heat;    ///< its value under the pointer
 };
 
 }  // namespace foldless

@@ -31,9 +31,9 @@ void draw_field(Editor& editor, const Look& look) {
   double percent = 100 * editor.view().zoom_level();
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(look.px(90));
-  constexpr ImGuiInputTextFlags kFlags =
+  constexpr ImGuiInputTextFlags kPercentFlags =
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
-  if (ImGui::InputDouble("##percent", &percent, 0, 0, "%.4g", kFlags)) {
+  if (ImGui::InputDouble("##percent", &percent, 0, 0, "%.4g", kPercentFlags)) {
     editor.view().set_zoom_level(percent / 100);
     ImGui::CloseCurrentPopup();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PNG, JPEG, WebP, OpenRaster, Krita and Photoshop files, their layers and their texts.
+// PNG, JPEG, WebP, GIF, OpenRaster, Krita and Photoshop files, their layers and their texts.
 #include "render/image.h"
 #include "render/layered/layered_image.h"
 #include "tests/fuzz/input.h"

@@ -134,7 +134,7 @@ TEST(Image, RefusesWhatIsNoImageAndNamesTheFile) {
   const TemporaryFolder folder;
   const auto file = folder.write("mesh.obj", "v 0 0 0\n");
   EXPECT_EQ(error_of([&] { load_image(file); }),
-            file.string() + ": is not a PNG, JPEG or WebP image");
+            file.string() + ": is not a PNG, JPEG, WebP or GIF image");
   EXPECT_NE(error_of([&] { load_image(folder / "absent.png"); }), "");
   EXPECT_NE(error_of([&] { read_png_texts(file); }), "");
 }

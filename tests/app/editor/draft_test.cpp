@@ -52,6 +52,17 @@ TEST_F(DraftTest, AnAbandonedEditLeavesNothing) {
   EXPECT_EQ(steps(), 1U);
 }
 
+TEST_F(DraftTest, AnEditThatIsGivenUpEndsTheStepBeforeIt) {
+  draft_.edit_again("Count", with_iterations(5), Change::parameters);
+  draft_.begin_edit();
+  draft_.apply(with_iterations(7), Change::parameters);
+  draft_.abandon_edit();
+  draft_.edit_again("Count", with_iterations(6), Change::parameters);
+  EXPECT_EQ(steps(), 3U);
+  draft_.undo();
+  EXPECT_EQ(iterations(), 5);
+}
+
 TEST_F(DraftTest, EditsOfOneParameterWithinASecondAreOneStep) {
   draft_.edit_again("Count", with_iterations(5), Change::parameters);
   messages_.tick(0.9);

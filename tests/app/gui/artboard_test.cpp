@@ -80,6 +80,34 @@ TEST_P(Artboard, IsOutlinedUntilItIsSwitchedOff) {
   EXPECT_FALSE(headless_->ui().settings().shows_artboard) << "it is remembered";
 }
 
+TEST_P(Artboard, SquaresShowWhereItIsTransparentAndAreNeverExported) {
+  editor().run_command("view.fit_canvas");
+  const auto exported = [&](const char* name) {
+    headless_->key(Key::e, kControl);
+    headless_->key(Key::enter);
+    headless_->key(Key::a, kControl);
+    headless_->type((folder_ / name).string());
+    headless_->key(Key::enter);
+    headless_->calm_down();
+    return load_image(folder_ / name);
+  };
+  headless_->calm_down();
+  const Image plain_export = exported("plain.png"), plain = headless_->picture();
+  search_and_run("squares behind");
+  const Image with = headless_->picture();
+  const auto at = [&](const Image& image, const Vec2& world) {
+    const Vec2 pixel = pixel_of(world);
+    return image.at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+  };
+  const Vec2 in_a_corner(8, 8), on_the_ring(244, 152), beside(-8, 150);
+  EXPECT_FALSE(is_same(at(plain, in_a_corner), at(with, in_a_corner)));
+  EXPECT_TRUE(is_same(at(plain, on_the_ring), at(with, on_the_ring)));
+  EXPECT_TRUE(is_same(at(plain, beside), at(with, beside)));
+  EXPECT_EQ(exported("squares.png"), plain_export);
+  start();
+  EXPECT_TRUE(headless_->ui().settings().shows_squares) << "it is remembered";
+}
+
 TEST_P(Artboard, RulersMarkRoundCoordinatesAndThePointer) {
   EXPECT_EQ(layout().rulers.top.width, 0);
   headless_->key(Key::r, {.shift = true});

@@ -49,6 +49,27 @@ TEST_F(HandlesPanel, ANameIsTypedAndSearched) {
   EXPECT_GT(differing_pixels(named, headless_.picture()), 50);
 }
 
+TEST_F(HandlesPanel, ANameIsEditedInItsRowAfterADoubleClickOrF2) {
+  place(2);
+  const auto row = headless_.find_words("Vertex 1");
+  ASSERT_TRUE(row.has_value());
+  headless_.click(*row);
+  headless_.click(*row);
+  headless_.type("right paw");
+  headless_.key(Key::enter);
+  EXPECT_EQ(editor().document().handles.at(1).name, "right paw");
+  EXPECT_EQ(editor().selection().ids(), std::set<int>{1});
+  headless_.key(Key::f2);
+  headless_.type("tail");
+  headless_.key(Key::escape);
+  EXPECT_EQ(editor().document().handles.at(1).name, "right paw") << "Esc leaves it";
+  headless_.key(Key::f2);
+  headless_.type("tail");
+  headless_.key(Key::enter);
+  EXPECT_EQ(editor().document().handles.at(1).name, "tail");
+  EXPECT_EQ(first().name, "");
+}
+
 TEST_F(HandlesPanel, WhereThereAreManyTheyAreSearched) {
   place(9);
   const Image all = headless_.picture();

@@ -40,15 +40,23 @@ void HeadlessEditor::frame() {
 void HeadlessEditor::settle() {
   frame();
   for (int i = 0; i < kManyFrames && ui_.next_frame(editor_, time_) == 0.0; ++i) frame();
+  wait_for_file();
   expect_no_defects();
 }
 
-/// While something is solved lists grow from frame to frame, and ImGui learns how far they scroll
-/// some frames later: what is gone by then is none.
+/// Tests look at the file as soon as the keys for it were pressed.
+void HeadlessEditor::wait_for_file() {
+  while (ui_.is_writing_a_file()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    for (int i = 0; i < 4; ++i) frame();  // what is said of it has its place then
+  }
+}
+
+/// While something is solved lists grow from frame to frame, and ImGui learns how wide they are and
+/// how far they scroll some frames later. What then rests on screen has none.
 void HeadlessEditor::expect_no_defects() {
   const bool is_racing = editor_.race().is_open() && !editor_.race().is_finished();
   if (drawing_defects().empty() || editor_.playback().is_solving() || is_racing) return;
-  for (int i = 0; i < 3; ++i) frame();
   for (const std::string& defect : drawing_defects())
     if (known_defects_.insert(defect).second) ADD_FAILURE() << defect;
 }

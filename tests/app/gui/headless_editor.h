@@ -30,7 +30,8 @@ class HeadlessEditor {
   /// Framebuffer pixels in a window coordinate and a design pixel, as on a HiDPI desktop.
   void set_content_scale(float scale) { content_scale_ = scale; }
 
-  /// Draws until nothing is left to do but wait; the test fails if what was drawn then has defects.
+  /// Draws until nothing is left to do but wait, and until a file that is exported is there; the
+  /// test fails if what was drawn then has defects.
   void settle();
   /// Draws until `done`, at most `seconds` of real time. False when it never was.
   bool wait_until(const std::function<bool()>& done, double seconds = 60);
@@ -69,6 +70,7 @@ class HeadlessEditor {
 
  private:
   void frame();
+  void wait_for_file();
   void expect_no_defects();
   void send(InputEvent event);
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "app/gui/run_editor.h"
+
 namespace foldless {
 namespace {
 
@@ -33,6 +35,22 @@ TEST(FindSamples, CountsFigure11After9) {
 }
 
 TEST(WelcomeScene, IsOneOfTheSamples) { EXPECT_TRUE(is_sample(welcome_scene())); }
+
+TEST(OpenedFirst, IsTheSampleUntilThereAreRecentFiles) {
+  const SessionStart first = opened_first(std::nullopt, {});
+  EXPECT_EQ(first.file, welcome_scene());
+  EXPECT_TRUE(first.is_sample);
+  EXPECT_TRUE(opened_first(std::nullopt, {"/nowhere/scene.json"}).is_sample) << "it is gone";
+  const SessionStart later = opened_first(std::nullopt, {"/nowhere/a.json", welcome_scene()});
+  EXPECT_TRUE(later.file.empty()) << "the start screen has them";
+}
+
+TEST(OpenedFirst, IsWhatWasNamedAndASampleAsACopy) {
+  const SessionStart named = opened_first("/tmp/scene.json", {welcome_scene()});
+  EXPECT_EQ(named.file, "/tmp/scene.json");
+  EXPECT_FALSE(named.is_sample);
+  EXPECT_TRUE(opened_first(welcome_scene(), {}).is_sample);
+}
 
 TEST(IsSample, LeavesTheUsersOwnFilesAlone) { EXPECT_FALSE(is_sample("/tmp/scene.json")); }
 

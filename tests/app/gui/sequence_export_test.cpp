@@ -68,6 +68,19 @@ TEST_F(Sequences, EveryIterationIsWrittenFromTheDialogWhileTheWindowLives) {
   EXPECT_EQ(read_png_texts(folder_ / "film" / "000001.png")["Iteration"], "1");
 }
 
+TEST_F(Sequences, OnePictureSaysTheNumberOfItsIterationThatIsOnScreen) {
+  editor().playback().scrub(iterations() / 2);
+  headless_.calm_down();
+  const std::string number = std::to_string(iterations() / 2 + 1);
+  EXPECT_TRUE(headless_.find_words("Iteration " + number + " of " + std::to_string(iterations())));
+  headless_.key(Key::e, kControl);
+  headless_.key(Key::enter);
+  headless_.key(Key::a, kControl);
+  headless_.type((folder_ / "one.png").string());
+  headless_.key(Key::enter);
+  EXPECT_EQ(read_png_texts(folder_ / "one.png")["Iteration"], number);
+}
+
 TEST_F(Sequences, CancelledNothingIsLeft) {
   SequenceExport sequence;
   sequence.start(folder_ / "film", editor(), options());

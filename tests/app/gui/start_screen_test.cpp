@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "app/gui/samples.h"
 #include "core/files/atomic_file.h"
 #include "core/files/mesh_io.h"
 #include "core/mesh/generate.h"
 #include "tests/app/gui/headless_editor.h"
+#include "tests/support/pictures.h"
 #include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
@@ -72,6 +74,31 @@ TEST_F(StartScreen, AFileThatCannotBeReadHasACardWithoutAPicture) {
   headless_.click(kFirstCard);
   EXPECT_TRUE(editor().document().is_empty());
   EXPECT_FALSE(editor().messages().toasts().empty()) << "whoever opens it is told why";
+}
+
+/// What the first window shows is there to be played with, not to be dressed.
+TEST_F(StartScreen, ADrawingDroppedOnAnUntouchedSampleIsADocumentOfItsOwn) {
+  const TemporaryFolder folder;
+  write_ring(folder / "ring.png", 60);
+  editor().files().open_sample(welcome_scene());
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
+  headless_.ui().receive(FilesDropped{{folder / "ring.png"}});
+  ASSERT_TRUE(headless_.wait_until([&] { return editor().files().image_import().is_ready(); }));
+  headless_.key(Key::enter);
+  EXPECT_EQ(editor().document().name, "ring");
+}
+
+TEST_F(StartScreen, ADrawingDroppedOnASampleInWorkBecomesItsTexture) {
+  const TemporaryFolder folder;
+  write_ring(folder / "ring.png", 60);
+  editor().files().open_sample(welcome_scene());
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
+  editor().selection().select({editor().document().handles.front().id});
+  headless_.key(Key::del);
+  headless_.ui().receive(FilesDropped{{folder / "ring.png"}});
+  headless_.settle();
+  EXPECT_EQ(editor().document().name, "welcome");
+  EXPECT_EQ(editor().document().texture, folder / "ring.png");
 }
 
 TEST_F(StartScreen, GoesAwayWithTheDocument) {
