@@ -17,6 +17,7 @@ struct News {
   std::string words;        ///< on that
   bool is_solving = false;  ///< lists grow until it ends
   std::size_t tick = 0;     ///< of a race: its table has other numbers
+  Beside beside = Beside::nothing;
   bool operator==(const News&) const = default;
 };
 
@@ -27,7 +28,8 @@ inline News news_of(const Editor& editor) {
           preview.has_value(),
           preview ? preview->words : "",
           editor.playback().is_solving(),
-          editor.race().is_open() ? editor.race().tick() + 1 : 0};
+          editor.race().is_open() ? editor.race().tick() + 1 : 0,
+          editor.view().beside()};
 }
 
 }  // namespace foldless
