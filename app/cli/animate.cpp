@@ -12,6 +12,7 @@
 #include "app/cli/problem.h"
 #include "app/cli/progress_line.h"
 #include "app/export/animation_writer.h"
+#include "app/export/held_steps.h"
 #include "core/error.h"
 #include "core/files/text_lines.h"
 #include "core/run/interrupt.h"
@@ -42,13 +43,17 @@ class Animate {
   int run() {
     fill_in();
     expect_no_source(animation_);
-    const auto progress = [&](std::size_t done, std::size_t count) { show("solved", done, count); };
+    const auto progress = [&](std::size_t done, std::size_t count, int round) {
+      if (std::exchange(round_, round) != round) start_ = std::chrono::steady_clock::now();
+      show("solved", done, count);
+    };
     const FramesWanted wanted{moments_to_solve(), closing_tolerance(scene_->rest), progress};
     auto solved = naming(call_.scene, [&] { return solve_animation(frames_, wanted, token_); });
     if (!solved) return kExitInterrupted;
     gap_ = solved->gap;
     animation_.solved = std::move(solved->frames);
-    cut_to_range();
+    if (call_.range) keep_range(animation_, *call_.range);
+    round_ = 1;
     return animation_.format.is_baked() ? write_baked() : write_film();
   }
 
@@ -59,7 +64,7 @@ class Animate {
     animation_.format = *find_animation_format(call_.output);
     animation_.scene = scene_;
     animation_.scene_file = call_.scene;
-    animation_.loops = scene_->animation->cycle.loops && !call_.range;
+    animation_.loops = scene_->animation->cycle.loops;
     animation_.fps = call_.fps.value_or(scene_->animation->fps);
     animation_.size = call_.size;
     animation_.layers = call_.layers;
@@ -81,26 +86,24 @@ class Animate {
     return moments;
   }
 
-  /// Only now: a frame follows from those before it, and in a loop from the round that is kept.
-  void cut_to_range() {
-    if (!call_.range) return;
-    const auto [first, last] = *call_.range;
-    std::vector<SolvedFrame>& solved = animation_.solved;
-    solved.erase(solved.begin() + last + 1, solved.end());
-    solved.erase(solved.begin(), solved.begin() + first);
-  }
-
   void show(const char* what, std::size_t done, std::size_t count) {
     if (!progress_.is_due()) return;
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     std::string text =
         std::string(what) + " " + std::to_string(done) + " of " + std::to_string(count) + " frames";
-    if (done > 0)
-      text += ", " +
-              rounded(seconds / static_cast<double>(done) * static_cast<double>(count - done), 1) +
-              " s left";
-    progress_.show(text);
+    if (round_ > 1) text += " in the second round of the loop";
+    progress_.show(text + time_left(static_cast<double>(done) / static_cast<double>(count)));
+  }
+
+  void show_bake(double share) {
+    if (progress_.is_due())
+      progress_.show("baked " + rounded(100 * share, 1) + " %" + time_left(share));
+  }
+
+  /// When a share of it is done; empty while nobody can know.
+  std::string time_left(double share) const {
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return share > 0 ? ", " + rounded(seconds / share * (1 - share), 1) + " s left" : "";
   }
 
   int write_film() {
@@ -118,7 +121,9 @@ class Animate {
 
   int write_baked() {
     if (animation_.format.kind != AnimationFormat::Kind::foldless) read_scene_texture();
-    const auto written = write_bake(animation_, frames_, token_);
+    start_ = std::chrono::steady_clock::now();
+    const auto written = write_bake(
+        animation_, frames_, [&](double share) { show_bake(share); }, token_);
     if (!written) return kExitInterrupted;
     if (!call_.quiet) {
       print_frames();
@@ -163,7 +168,7 @@ class Animate {
       std::cout << "proved to be injective at every moment\n";
     else
       std::cout << failures.size() << " steps are not proved: " << words_of(failures.front(), baked)
-                << '\n';
+                << "; in the file " << jump_words(failures.size()) << '\n';
   }
 
   const AnimateCall& call_;
@@ -174,6 +179,7 @@ class Animate {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   AnimationToWrite animation_;
   double gap_ = 0;
+  int round_ = 1;
 };
 
 }  // namespace

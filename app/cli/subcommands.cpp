@@ -66,9 +66,10 @@ CLI::App* add_animate(CLI::App& app, AnimateCall& call, Texts& texts, RenderFlag
                          "baked onto one mesh and proved between all frames");
   animate->add_option("SCENE", call.scene, "scene file with an animation")->required();
   animate
-      ->add_option("-o,--output", call.output,
-                   ".png (animated), .gif, .webp, .mp4, .webm, .json (sprite sheet), .glb, "
-                   ".spine.json, .tscn or .foldless (baked), or a new folder")
+      ->add_option(
+          "-o,--output", call.output,
+          ".png or .apng (animated), .gif, .webp, .mp4, .webm, .json (sprite sheet), .glb, "
+          ".spine.json, .tscn or .foldless (baked), or a new folder")
       ->required()
       ->type_name("OUT");
   animate->add_option("--fps", texts.fps, "frames a second, those of the scene when absent")

@@ -8,8 +8,9 @@ namespace {
 
 using FormatKind = AnimationFormat::Kind;
 
-constexpr std::array<AnimationFormat, 11> kFormats{{
+constexpr std::array<AnimationFormat, 12> kFormats{{
     {FormatKind::film, ".png", "animated PNG"},
+    {FormatKind::film, ".apng", "animated PNG"},
     {FormatKind::film, ".gif", "animated GIF"},
     {FormatKind::film, ".webp", "animated WebP"},
     {FormatKind::video, ".mp4", "MP4 video"},

@@ -71,6 +71,16 @@ void expect_no_source(const AnimationToWrite& animation) {
     expect_no_source(animation, {picture_of_sheet(animation.output)});
 }
 
+void keep_range(AnimationToWrite& animation, const std::array<int, 2>& range) {
+  std::vector<SolvedFrame>& solved = animation.solved;
+  if (static_cast<std::size_t>(range[1]) >= solved.size())
+    throw Error("The frames to be written end with " + std::to_string(range[1]) +
+                ", but the last is " + std::to_string(solved.size() - 1) + "; choose them anew.");
+  solved.erase(solved.begin() + range[1] + 1, solved.end());
+  solved.erase(solved.begin(), solved.begin() + range[0]);
+  animation.loops = false;
+}
+
 bool write_pictures(const AnimationToWrite& animation, const AnimationMeans& means,
                     const std::stop_token& token) {
   const std::vector<SolvedFrame>& solved = animation.solved;
@@ -90,12 +100,12 @@ bool write_pictures(const AnimationToWrite& animation, const AnimationMeans& mea
 }
 
 std::optional<WrittenBake> write_bake(const AnimationToWrite& animation, const Frames& frames,
-                                      const std::stop_token& token) {
+                                      const BakeProgress& progress, const std::stop_token& token) {
   const double pixel = length_of_a_pixel(box_round(animation.solved), animation.size);
-  auto baked = bake_solved(
-      frames,
-      {animation.scene->triangles, animation.solved, animation.loops, animation.tolerance * pixel},
-      token);
+  auto baked = bake_solved(frames,
+                           {animation.scene->triangles, animation.solved, animation.loops,
+                            animation.tolerance * pixel, progress},
+                           token);
   if (!baked || token.stop_requested()) return std::nullopt;
   BakedLook look;
   if (animation.format.kind != AnimationFormat::Kind::foldless)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -50,6 +51,11 @@ struct AnimationMeans {
 /// or its texture. To be asked before there are frames.
 void expect_no_source(const AnimationToWrite& animation);
 
+/// Leaves the frames from the first to the last of a range, from 0, which are no loop. To be done
+/// when all are solved: a frame follows from those before it, and in a loop from the round that is
+/// kept. Precondition: there are so many.
+void keep_range(AnimationToWrite& animation, const std::array<int, 2>& range);
+
 /// Writes an animation as pictures. False when the token was set or nothing was drawn; then
 /// nothing is left of it. Throws Error. Precondition: the format is no baked one.
 bool write_pictures(const AnimationToWrite& animation, const AnimationMeans& means,
@@ -67,6 +73,6 @@ struct WrittenBake {
 /// Bakes an animation and writes it. Nothing when the token was set; then nothing was written.
 /// Throws Error. Precondition: the format is a baked one.
 std::optional<WrittenBake> write_bake(const AnimationToWrite& animation, const Frames& frames,
-                                      const std::stop_token& token);
+                                      const BakeProgress& progress, const std::stop_token& token);
 
 }  // namespace foldless

@@ -69,19 +69,20 @@ BakedFiles baked_files(const std::filesystem::path& path, const AnimationFormat&
   }
   if (format.kind == Kind::gltf) {
     files.failures = failures_of(in_single_precision(animation));
-    files.main = gltf_binary(animation, look.pieces);
+    files.main = gltf_binary(animation, look.pieces, held_steps(files.failures));
     return files;
   }
-  const BakedAnimation held = in_pixels(animation, look.units);
-  files.failures = failures_of(held);
+  const BakedAnimation rounded = in_pixels(animation, look.units);
+  files.failures = failures_of(rounded);
+  const HeldSteps held = held_steps(files.failures);
   const std::vector<GltfPiece> pieces = pieces_in_pixels(animation, look);
   const std::string name = safe_name(name_without_ending(path, format));
   add_pictures(files, pieces, name);
   if (format.kind == Kind::godot) {
-    files.main = godot_scene(held, pieces, name);
+    files.main = godot_scene(rounded, pieces, name, held);
     return files;
   }
-  SpineText spine = spine_text(held, pieces, name);
+  SpineText spine = spine_text(rounded, pieces, name, held);
   files.main = std::move(spine.json);
   files.others.push_back({name + ".atlas", std::move(spine.atlas)});
   return files;

@@ -47,7 +47,7 @@ class FilmFile : public FilmOutput {
 };
 
 std::unique_ptr<Film> film(std::string_view ending, const FilmOptions& options) {
-  if (ending == ".png") return make_apng(options);
+  if (ending == ".png" || ending == ".apng") return make_apng(options);
   if (ending == ".gif") return make_gif(options);
   return make_animated_webp(options);
 }
@@ -91,10 +91,9 @@ class SheetFiles : public FilmOutput {
 
   void add(const Image& image) override { sprites_.add(image); }
   void finish() override {
-    const Image sheet = sprites_.sheet(options_.power_of_two);
     const std::string picture = picture_of_sheet(path_).filename();
-    write_files_together(path_, sprites_.json(sheet, picture),
-                         {{picture, encode_png(sheet, options_.texts)}});
+    write_files_together(path_, sprites_.json(options_.power_of_two, picture),
+                         {{picture, sprites_.png(options_.power_of_two, options_.texts)}});
   }
 
  private:

@@ -2,6 +2,7 @@
 #include "app/export/gltf.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -146,17 +147,30 @@ std::vector<std::uint32_t> corners_of(const BakedAnimation& animation, const Glt
   return corners;
 }
 
-/// Each frame has a weight of its own, which is 1 at its time and 0 at the others'.
-json animation_of_weights(const BakedAnimation& animation, Buffers& buffers) {
-  const auto count = static_cast<Eigen::Index>(animation.frames.size());
-  const Eigen::Index keys = count + (animation.loops ? 1 : 0);
-  Floats times(1, keys), weights = Floats::Zero(1, keys * (count - 1));
+/// Each frame has a weight of its own, which is 1 at its time and 0 at the others'. One that is
+/// held has its weight once more, as late before the next as single precision has a time.
+json animation_of_weights(const BakedAnimation& animation, const HeldSteps& held,
+                          Buffers& buffers) {
+  const std::size_t count = animation.frames.size(), ends = count + (animation.loops ? 1 : 0);
   const double start = animation.frames.front().frame;
-  for (Eigen::Index k = 0; k < keys; ++k) {
-    const double moment =
-        k < count ? animation.frames[static_cast<std::size_t>(k)].frame : animation.cycle_frames;
-    times(0, k) = static_cast<float>((moment - start) / animation.fps);
-    if (k > 0 && k < count) weights(0, k * (count - 1) + k - 1) = 1;
+  const auto time_of = [&](std::size_t key) {
+    const double moment = key < count ? animation.frames[key].frame : animation.cycle_frames;
+    return static_cast<float>((moment - start) / animation.fps);
+  };
+  std::vector<std::pair<float, std::size_t>> keys;  // When, and which frame.
+  for (std::size_t k = 0; k < ends; ++k) {
+    keys.emplace_back(time_of(k), k % count);
+    if (!held.contains(k) || k + 1 >= ends) continue;
+    const float late = std::nextafter(time_of(k + 1), 0.0F);
+    if (late > time_of(k)) keys.emplace_back(late, k % count);
+  }
+  const auto size = static_cast<Eigen::Index>(keys.size());
+  const auto targets = static_cast<Eigen::Index>(count) - 1;
+  Floats times(1, size), weights = Floats::Zero(1, size * targets);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const auto [time, frame] = keys[static_cast<std::size_t>(k)];
+    times(0, k) = time;
+    if (frame > 0) weights(0, k * targets + static_cast<Eigen::Index>(frame) - 1) = 1;
   }
   const int input = buffers.add_floats(times, false, true);
   const int output = buffers.add_floats(weights, false, false);
@@ -168,7 +182,8 @@ json animation_of_weights(const BakedAnimation& animation, Buffers& buffers) {
 
 }  // namespace
 
-std::string gltf_binary(const BakedAnimation& animation, const std::vector<GltfPiece>& pieces) {
+std::string gltf_binary(const BakedAnimation& animation, const std::vector<GltfPiece>& pieces,
+                        const HeldSteps& held) {
   Buffers buffers;
   json document{{"asset", {{"version", "2.0"}, {"generator", "Foldless"}}},
                 {"extensionsUsed", {"KHR_materials_unlit"}},
@@ -194,7 +209,7 @@ std::string gltf_binary(const BakedAnimation& animation, const std::vector<GltfP
   json mesh{{"primitives", std::move(primitives)}};
   if (!targets.empty()) {
     mesh["weights"] = std::vector<int>(targets.size(), 0);
-    document["animations"] = json::array({animation_of_weights(animation, buffers)});
+    document["animations"] = json::array({animation_of_weights(animation, held, buffers)});
   }
   document["meshes"] = json::array({std::move(mesh)});
   return std::move(buffers).file(std::move(document));

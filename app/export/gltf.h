@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/export/held_steps.h"
 #include "core/motion/bake.h"
 #include "render/camera.h"
 #include "render/image.h"
@@ -24,7 +25,8 @@ struct GltfPiece {
 /// that viewers move vertices straight from frame to frame. Of a loop the first frame comes again
 /// at the end. Pictures are shown as they are, without light. Throws Error when it would be larger
 /// than the format allows.
-std::string gltf_binary(const BakedAnimation& animation, const std::vector<GltfPiece>& pieces);
+std::string gltf_binary(const BakedAnimation& animation, const std::vector<GltfPiece>& pieces,
+                        const HeldSteps& held = {});
 
 /// The animation as glTF holds it, in single precision: first frame and differences to it. What is
 /// to be proved of a file is to be proved of this.

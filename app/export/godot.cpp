@@ -80,9 +80,17 @@ void append_node(std::string& text, const BakedAnimation& animation, const Engin
   text += '\n';
 }
 
+/// The exponents of the time's share of the way to the next key; with 0 a value stays until then.
+std::vector<int> transitions(std::size_t keys, const HeldSteps& held) {
+  std::vector<int> exponents(keys, 1);
+  for (const std::size_t step : held)
+    if (step < keys) exponents[step] = 0;
+  return exponents;
+}
+
 /// A value track: what runs continuously and linearly from key to key.
 void append_track(std::string& text, const BakedAnimation& animation, const EngineMesh& mesh,
-                  std::size_t piece) {
+                  std::size_t piece, const HeldSteps& held) {
   const std::string track = "tracks/" + std::to_string(piece) + "/";
   const std::vector<double> times = key_times(animation);
   text.append(track).append("type = \"value\"\n").append(track).append("imported = false\n");
@@ -91,7 +99,7 @@ void append_track(std::string& text, const BakedAnimation& animation, const Engi
   text.append(track).append("loop_wrap = true\n").append(track).append("keys = {\n\"times\": ");
   append_packed(text, "PackedFloat32Array", times);
   text += ",\n\"transitions\": ";
-  append_packed(text, "PackedFloat32Array", std::vector<int>(times.size(), 1));
+  append_packed(text, "PackedFloat32Array", transitions(times.size(), held));
   text += ",\n\"update\": 0,\n\"values\": [";
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (k > 0) text += ", ";
@@ -101,7 +109,8 @@ void append_track(std::string& text, const BakedAnimation& animation, const Engi
 }
 
 void append_animation(std::string& text, const BakedAnimation& animation,
-                      const std::vector<EngineMesh>& meshes, const std::string& name) {
+                      const std::vector<EngineMesh>& meshes, const std::string& name,
+                      const HeldSteps& held) {
   text +=
       "[sub_resource type=\"Animation\" id=\"Animation_1\"]\nresource_name = " + godot_string(name);
   text += "\nlength = ";
@@ -109,7 +118,7 @@ void append_animation(std::string& text, const BakedAnimation& animation,
   text.append("\nloop_mode = ").append(animation.loops ? "1" : "0").append("\nstep = ");
   append_number(text, 1 / animation.fps);
   text += '\n';
-  for (std::size_t i = 0; i < meshes.size(); ++i) append_track(text, animation, meshes[i], i);
+  for (std::size_t i = 0; i < meshes.size(); ++i) append_track(text, animation, meshes[i], i, held);
   text += "\n[sub_resource type=\"AnimationLibrary\" id=\"AnimationLibrary_1\"]\n_data = {\n" +
           godot_string(name) + ": SubResource(\"Animation_1\")\n}\n\n";
 }
@@ -117,7 +126,7 @@ void append_animation(std::string& text, const BakedAnimation& animation,
 }  // namespace
 
 std::string godot_scene(const BakedAnimation& animation, const std::vector<GltfPiece>& pieces,
-                        const std::string& name) {
+                        const std::string& name, const HeldSteps& held) {
   std::vector<EngineMesh> meshes;
   meshes.reserve(pieces.size());
   for (const GltfPiece& piece : pieces) meshes.push_back(engine_mesh(animation, piece.triangles));
@@ -128,7 +137,7 @@ std::string godot_scene(const BakedAnimation& animation, const std::vector<GltfP
             godot_string(picture_name(name, i, pieces.size())) + " id=\"" + std::to_string(i + 1) +
             "\"]\n";
   text += '\n';
-  append_animation(text, animation, meshes, root);
+  append_animation(text, animation, meshes, root, held);
   text += "[node name=" + godot_string(root) + " type=\"Node2D\"]\n\n";
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     text += "[node name=\"" + piece_name(i) +

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/export/gltf.h"
+#include "app/export/held_steps.h"
 #include "core/motion/bake.h"
 
 namespace foldless {
@@ -16,6 +17,6 @@ namespace foldless {
 /// picture_name(), which are looked for beside it. The pieces' pictures must not need to be
 /// repeated.
 std::string godot_scene(const BakedAnimation& animation, const std::vector<GltfPiece>& pieces,
-                        const std::string& name);
+                        const std::string& name, const HeldSteps& held = {});
 
 }  // namespace foldless

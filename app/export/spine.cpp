@@ -76,7 +76,7 @@ void append_attachment(std::string& text, const BakedAnimation& animation, const
 
 /// The differences to the first frame, without the zeros that they begin and end with.
 void append_key(std::string& text, double time, const std::vector<double>& first,
-                const std::vector<double>& places) {
+                const std::vector<double>& places, bool is_held) {
   std::vector<double> by;
   for (std::size_t i = 0; i < places.size(); ++i) by.push_back(places[i] - first[i]);
   const auto differs = [](double difference) { return difference != 0; };
@@ -90,16 +90,19 @@ void append_key(std::string& text, double time, const std::vector<double>& first
     text += ',';
     append_list(text, "vertices", std::vector<double>(begin, end));
   }
+  if (is_held) text += ",\"curve\":\"stepped\"";
   text += '}';
 }
 
-void append_deform(std::string& text, const BakedAnimation& animation, const EngineMesh& mesh) {
+void append_deform(std::string& text, const BakedAnimation& animation, const EngineMesh& mesh,
+                   const HeldSteps& held) {
   const std::vector<double> first = places_of(mesh, animation.frames.front().deformed);
   const std::vector<double> times = key_times(animation);
   text += "{\"deform\":[";
   for (std::size_t k = 0; k < times.size(); ++k) {
     text += k == 0 ? "\n" : ",\n";
-    append_key(text, times[k], first, places_of(mesh, frame_of_key(animation, k)));
+    append_key(text, times[k], first, places_of(mesh, frame_of_key(animation, k)),
+               held.contains(k));
   }
   text += "]}";
 }
@@ -140,7 +143,7 @@ std::string region_name(const std::string& name, std::size_t piece, std::size_t 
 }  // namespace
 
 SpineText spine_text(const BakedAnimation& animation, const std::vector<GltfPiece>& pieces,
-                     const std::string& name) {
+                     const std::string& name, const HeldSteps& held) {
   std::vector<EngineMesh> meshes;
   std::vector<std::string> names;
   SpineText result;
@@ -173,7 +176,8 @@ SpineText spine_text(const BakedAnimation& animation, const std::vector<GltfPiec
   append_by_slot(text, names,
                  [&](std::size_t i) { append_attachment(text, animation, meshes[i], pieces[i]); });
   text += "}],\n\"animations\":{" + json_string(name) + ":{\"attachments\":{\"default\":";
-  append_by_slot(text, names, [&](std::size_t i) { append_deform(text, animation, meshes[i]); });
+  append_by_slot(text, names,
+                 [&](std::size_t i) { append_deform(text, animation, meshes[i], held); });
   text += "}}}}\n";
   return result;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/export/gltf.h"
+#include "app/export/held_steps.h"
 #include "core/motion/bake.h"
 
 namespace foldless {
@@ -21,6 +22,6 @@ struct SpineText {
 /// at the end. `animation`: as in_pixels() gives it; y is up here and there. `name`: of the
 /// animation and its pictures. The pieces' pictures must not need to be repeated.
 SpineText spine_text(const BakedAnimation& animation, const std::vector<GltfPiece>& pieces,
-                     const std::string& name);
+                     const std::string& name, const HeldSteps& held = {});
 
 }  // namespace foldless

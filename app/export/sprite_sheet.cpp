@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "render/packed_bytes.h"
+#include "render/png_rows.h"
 
 namespace foldless {
 namespace {
@@ -35,11 +37,14 @@ void SpriteSheet::add(const Image& image) {
   Sprite& sprite = sprites_.emplace_back();
   sprite.x = left;
   sprite.y = top;
-  sprite.image = Image(right - left, bottom - top);
+  sprite.width = right - left;
+  sprite.height = bottom - top;
+  std::vector<std::uint8_t> pixels;
   for (int y = top; y < bottom; ++y)
-    std::memcpy(sprite.image.at(0, y - top), image.at(left, y),
-                4 * static_cast<std::size_t>(sprite.image.width));
-  area_ += static_cast<double>(sprite.image.width) * sprite.image.height;
+    pixels.insert(pixels.end(), image.at(left, y),
+                  image.at(left, y) + 4 * static_cast<std::ptrdiff_t>(sprite.width));
+  sprite.pixels = packed(pixels);
+  area_ += static_cast<double>(sprite.width) * sprite.height;
   if (area_ > kMostInAll)
     throw Error("the sprite sheet would have more than 100 million pixels: take fewer frames or " +
                 std::string("a smaller size"));
@@ -48,8 +53,8 @@ void SpriteSheet::add(const Image& image) {
 SpriteSheet::Grid SpriteSheet::grid() const {
   Grid grid;
   for (const Sprite& sprite : sprites_) {
-    grid.width = std::max(grid.width, sprite.image.width + 1);
-    grid.height = std::max(grid.height, sprite.image.height + 1);
+    grid.width = std::max(grid.width, sprite.width + 1);
+    grid.height = std::max(grid.height, sprite.height + 1);
   }
   const auto count = static_cast<double>(sprites_.size());
   grid.columns =
@@ -59,34 +64,56 @@ SpriteSheet::Grid SpriteSheet::grid() const {
   return grid;
 }
 
-Image SpriteSheet::sheet(bool power_of_two) const {
+std::array<int, 2> SpriteSheet::size(bool power_of_two) const {
   const Grid cells = grid();
   const auto side = [&](int length) {
     return power_of_two ? static_cast<int>(std::bit_ceil(static_cast<unsigned>(length))) : length;
   };
-  const int width = side(cells.columns * cells.width), height = side(cells.rows * cells.height);
-  check_image_size(width, height);
-  Image sheet(width, height);
-  for (std::size_t i = 0; i < sprites_.size(); ++i) {
-    const int column = static_cast<int>(i) % cells.columns;
-    const int row = static_cast<int>(i) / cells.columns;
-    const Image& image = sprites_[i].image;
-    for (int y = 0; y < image.height; ++y)
-      std::memcpy(sheet.at(column * cells.width, row * cells.height + y), image.at(0, y),
-                  4 * static_cast<std::size_t>(image.width));
-  }
-  return sheet;
+  return {side(cells.columns * cells.width), side(cells.rows * cells.height)};
 }
 
-std::string SpriteSheet::json(const Image& sheet, const std::string& picture) const {
+Image SpriteSheet::strip(int row, int width) const {
+  const Grid cells = grid();
+  Image strip(width, cells.height);
+  for (int column = 0; column < cells.columns; ++column) {
+    const auto i = static_cast<std::size_t>(row * cells.columns + column);
+    if (i >= sprites_.size()) break;
+    const Sprite& sprite = sprites_[i];
+    const std::size_t line = 4 * static_cast<std::size_t>(sprite.width);
+    const auto pixels = unpacked(sprite.pixels, line * static_cast<std::size_t>(sprite.height));
+    for (int y = 0; y < sprite.height; ++y)
+      std::memcpy(strip.at(column * cells.width, y),
+                  pixels.data() + line * static_cast<std::size_t>(y), line);
+  }
+  return strip;
+}
+
+std::string SpriteSheet::png(bool power_of_two, const ImageTexts& texts) const {
+  const auto [width, height] = size(power_of_two);
+  check_image_size(width, height);
+  const Grid cells = grid();
+  PngRows rows(width, height, texts);
+  const std::size_t line = 4 * static_cast<std::size_t>(width);
+  for (int row = 0; row < cells.rows; ++row) {
+    const Image cells_of_row = strip(row, width);
+    for (int y = 0; y < cells.height; ++y)
+      rows.add({cells_of_row.at(0, y), cells_of_row.at(0, y) + line});
+  }
+  for (int y = cells.rows * cells.height; y < height; ++y)
+    rows.add(std::vector<std::uint8_t>(line));
+  return rows.finish();
+}
+
+std::string SpriteSheet::json(bool power_of_two, const std::string& picture) const {
   using nlohmann::ordered_json;
-  const auto rectangle = [](int x, int y, const Image& image) {
-    return ordered_json{{"x", x}, {"y", y}, {"w", image.width}, {"h", image.height}};
+  const auto rectangle = [](int x, int y, const Sprite& of) {
+    return ordered_json{{"x", x}, {"y", y}, {"w", of.width}, {"h", of.height}};
   };
+  const auto [width, height] = size(power_of_two);
   const Grid cells = grid();
   ordered_json frames = ordered_json::array();
   for (std::size_t i = 0; i < sprites_.size(); ++i) {
-    const auto& [x, y, image] = sprites_[i];
+    const Sprite& sprite = sprites_[i];
     const int column = static_cast<int>(i) % cells.columns;
     const int row = static_cast<int>(i) / cells.columns;
     std::string name = std::to_string(i);
@@ -95,10 +122,10 @@ std::string SpriteSheet::json(const Image& sheet, const std::string& picture) co
       return std::lround(1000 * static_cast<double>(n) / fps_);
     };
     frames.push_back({{"filename", name},
-                      {"frame", rectangle(column * cells.width, row * cells.height, image)},
+                      {"frame", rectangle(column * cells.width, row * cells.height, sprite)},
                       {"rotated", false},
-                      {"trimmed", image.width < width_ || image.height < height_},
-                      {"spriteSourceSize", rectangle(x, y, image)},
+                      {"trimmed", sprite.width < width_ || sprite.height < height_},
+                      {"spriteSourceSize", rectangle(sprite.x, sprite.y, sprite)},
                       {"sourceSize", {{"w", width_}, {"h", height_}}},
                       {"pivot", {{"x", 0.5}, {"y", 0.5}}},
                       {"duration", end_of(i + 1) - end_of(i)}});
@@ -108,7 +135,7 @@ std::string SpriteSheet::json(const Image& sheet, const std::string& picture) co
                            {{"app", "Foldless"},
                             {"image", picture},
                             {"format", "RGBA8888"},
-                            {"size", {{"w", sheet.width}, {"h", sheet.height}}},
+                            {"size", {{"w", width}, {"h", height}}},
                             {"scale", 1}}}};
   return text.dump(1) + '\n';
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,23 +17,27 @@ class SpriteSheet {
 
   /// Throws Error when the sheet would be larger than pictures may be.
   void add(const Image& image);
-  /// All of them, about as wide as high, a pixel apart; with `power_of_two` both sides are padded
-  /// to powers of two. Throws Error when it is larger than pictures may be.
-  Image sheet(bool power_of_two) const;
+  /// The PNG file of all of them, about as wide as high, a pixel apart; with `power_of_two` both
+  /// sides are padded to powers of two. Throws Error when it is larger than pictures may be.
+  std::string png(bool power_of_two, const ImageTexts& texts) const;
   /// Where the pictures are: an array of frames as TexturePacker and Aseprite write them, with
   /// `frame` (on the sheet), `spriteSourceSize` (where it was cut from), `sourceSize`, `pivot`
   /// (the middle, of the source) and `duration` [ms]; `meta` names the picture and its size.
-  std::string json(const Image& sheet, const std::string& picture) const;
+  std::string json(bool power_of_two, const std::string& picture) const;
 
  private:
   struct Sprite {
     int x = 0, y = 0;  ///< of the upper left corner in the source
-    Image image;
+    int width = 0, height = 0;
+    std::string pixels;  ///< see packed(): all of them are kept until the end
   };
   struct Grid {
     int columns = 1, rows = 1, width = 1, height = 1;  ///< of a cell, with its gap
   };
   Grid grid() const;
+  std::array<int, 2> size(bool power_of_two) const;
+  /// The cells of a row of the grid, as wide as the sheet.
+  Image strip(int row, int width) const;
 
   double fps_;
   int width_ = 0, height_ = 0;  ///< of the sources

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -19,6 +20,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "core/files/staged.h"
 #include "core/files/text_lines.h"
 
@@ -54,7 +56,7 @@ std::vector<std::string> arguments_for(const fs::path& path, const Image& first,
   std::string rate;
   append_number(rate, fps);
   std::vector<std::string> arguments{
-      "ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo",
+      "ffmpeg", "-hide_banner", "-loglevel", "error", "-xerror", "-nostdin", "-y", "-f", "rawvideo",
       "-pix_fmt", "rgba", "-s", std::to_string(first.width) + "x" + std::to_string(first.height),
       "-r", rate, "-i", "pipe:0",
       // Codecs halve the resolution of colours: sides are even.
@@ -89,7 +91,7 @@ class VideoFile : public FilmOutput {
       // A socket rather than a pipe: where ffmpeg has ended this fails without a signal.
       const ssize_t written = send(pictures_.number(), bytes, left, MSG_NOSIGNAL);
       if (written < 0 && errno == EINTR) continue;
-      if (written < 0) end();  // It tells why.
+      if (written < 0) end_too_early();
       bytes += written;
       left -= static_cast<std::size_t>(written);
     }
@@ -138,17 +140,36 @@ class VideoFile : public FilmOutput {
     return status;
   }
 
-  /// There are no more pictures. Throws Error with what ffmpeg said last where it failed.
+  /// There are no more pictures. Throws Error with what ffmpeg said where it failed. Its status
+  /// does not tell that: it can be 0 on a full disk.
   void end() {
     pictures_.close();
     const int status = wait_for_end();
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-    std::string said(4096, '\0');
-    const ssize_t count = pread(complaints_.number(), said.data(), said.size(), 0);
+    const std::string said = complaints();
+    if (said.find("No space left") != said.npos) refuse_writing(path_, ENOSPC);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && said.empty()) return;
+    const std::string last = said.substr(said.rfind('\n') == said.npos ? 0 : said.rfind('\n') + 1);
+    throw Error(path_.string() + ": ffmpeg failed" + (last.empty() ? "" : ": " + last));
+  }
+
+  [[noreturn]] void end_too_early() {
+    end();  // It tells why, as a rule.
+    throw Error(path_.string() + ": ffmpeg ended before it had all pictures");
+  }
+
+  /// What ffmpeg said, the last of it, with the name that the file is to have.
+  std::string complaints() const {
+    constexpr off_t kMost = 1 << 16;
+    const off_t size = lseek(complaints_.number(), 0, SEEK_END);
+    std::string said(static_cast<std::size_t>(std::clamp<off_t>(size, 0, kMost)), '\0');
+    const ssize_t count =
+        pread(complaints_.number(), said.data(), said.size(), std::max<off_t>(0, size - kMost));
     said.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
     while (!said.empty() && said.back() == '\n') said.pop_back();
-    said = said.substr(said.rfind('\n') == said.npos ? 0 : said.rfind('\n') + 1);
-    throw Error(path_.string() + ": ffmpeg failed" + (said.empty() ? "" : ": " + said));
+    const std::string hidden = staged_->path().string();
+    for (std::size_t at = 0; (at = said.find(hidden, at)) != said.npos; at += path_.string().size())
+      said.replace(at, hidden.size(), path_.string());
+    return said;
   }
 
   fs::path path_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/editor/scene_document.h"
+#include "app/export/held_steps.h"
 #include "core/error.h"
 #include "core/exception_words.h"
 #include "core/run/thread_priority.h"
@@ -17,7 +18,9 @@
 namespace foldless {
 namespace {
 
-constexpr std::array kStageWords{"Solving", "Drawing", "Baking"};  // as Stage
+// As Stage. A loop that does not close is gone through once more.
+constexpr std::array kStageWords{"Solving", "Solving, second round:", "Drawing", "Baking"};
+constexpr std::size_t kWholeBake = 100;  // of progress: per cent
 
 /// 0.25 as a picture's pixels: `0.25 px`.
 std::string pixel_words(double pixels) {
@@ -54,6 +57,7 @@ AnimationToWrite what_to_write(const std::filesystem::path& path, const Editor& 
   animation.texts = {{"Software", "Foldless"},
                      {"Scene", file.empty() ? document.name : file.string()}};
   animation.tolerance = choice.tolerance;
+  animation.power_of_two = choice.power_of_two;
   return animation;
 }
 
@@ -71,7 +75,8 @@ void AnimationExport::start(const std::filesystem::path& path, Editor& editor,
   auto job = std::make_shared<Job>(Job{what_to_write(path, editor, choice),
                                        Frames(std::move(to_solve.at_rest), *document.animation),
                                        {},
-                                       to_solve.tolerance});
+                                       to_solve.tolerance,
+                                       choice.range});
   expect_no_source(job->animation);
   if (job->animation.fps == document.animation->fps)
     job->animation.solved = editor.motion().frames().all(document);
@@ -103,14 +108,15 @@ AnimationExport::End AnimationExport::write_job(Job& job) {
   const std::stop_token token = stop_.get_token();
   AnimationToWrite& animation = job.animation;
   if (!job.moments.empty()) {
-    const auto progress = [this](std::size_t done, std::size_t count) {
-      tell(Stage::solving, done, count);
+    const auto progress = [this](std::size_t done, std::size_t count, int round) {
+      tell(round == 1 ? Stage::solving : Stage::second_round, done, count);
     };
     auto solved =
         solve_animation(job.frames, {job.moments, job.closing_tolerance, progress}, token);
     if (!solved) return cancelled;
     animation.solved = std::move(solved->frames);
   }
+  if (job.range) keep_range(animation, *job.range);
   const std::string wrote =
       "Wrote " + animation.output.string() + ": " + frame_words(animation.solved.size());
   if (!animation.format.is_baked()) {
@@ -122,12 +128,16 @@ AnimationExport::End AnimationExport::write_job(Job& job) {
     if (!write_pictures(animation, means, token)) return cancelled;
     return {ToastKind::notice, wrote};
   }
-  tell(Stage::baking, 0, 0);
-  const auto written = write_bake(animation, job.frames, token);
+  tell(Stage::baking, 0, kWholeBake);
+  const auto progress = [this](double share) {
+    tell(Stage::baking, static_cast<std::size_t>(share * kWholeBake), kWholeBake);
+  };
+  const auto written = write_bake(animation, job.frames, progress, token);
   if (!written) return cancelled;
   if (!written->failures.empty())
     return {ToastKind::error, wrote + ", but it is not proved at every moment: " +
-                                  words_of(written->failures.front(), written->baked)};
+                                  words_of(written->failures.front(), written->baked) + "; " +
+                                  jump_words(written->failures.size())};
   const std::string far = "at most " + pixel_words(written->deviation) + " from the solver's map";
   return {written->is_good(animation.tolerance) ? ToastKind::notice : ToastKind::error,
           wrote + ", " + std::to_string(written->baked.rest.cols()) + " vertices, " + far +
@@ -194,7 +204,8 @@ std::string AnimationExport::progress_words() const {
   std::string words = kStageWords[static_cast<std::size_t>(seen_.stage)];
   if (seen_.count == 0) return words + "…";
   words += ' ';
-  words += std::to_string(seen_.done) + " of " + std::to_string(seen_.count);
+  words += std::to_string(seen_.done) +
+           (seen_.stage == Stage::baking ? " %" : " of " + std::to_string(seen_.count));
   if (seen_.done == 0 || !stage_began_) return words;
   const double left = (time_ - *stage_began_) / static_cast<double>(seen_.done) *
                       static_cast<double>(seen_.count - seen_.done);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <condition_variable>
 #include <filesystem>
 #include <memory>
@@ -23,7 +24,9 @@ struct AnimationChoice {
   std::optional<PictureSize> size;  ///< absent: 1024 pixels along the longer side
   std::optional<double> fps;        ///< pictures a second; absent: those of the animation
   bool is_transparent = false;
-  double tolerance = 0.5;  ///< of a bake [pixels]
+  double tolerance = 0.5;                        ///< of a bake [pixels]
+  std::optional<std::array<int, 2>> range = {};  ///< first and last frame; absent: all
+  bool power_of_two = false;                     ///< sides of a sprite sheet
 };
 
 /// The animation of a document as a file of its own, written as `foldless animate` does, on a
@@ -31,7 +34,7 @@ struct AnimationChoice {
 /// Every function needs the GL context that was current in start().
 class AnimationExport {
  public:
-  enum class Stage { solving, drawing, baking };
+  enum class Stage { solving, second_round, drawing, baking };
 
   AnimationExport() = default;
   ~AnimationExport();  ///< cancels
@@ -60,6 +63,7 @@ class AnimationExport {
     Frames frames;
     std::vector<double> moments;  ///< to be solved; empty: they are
     double closing_tolerance = 0;
+    std::optional<std::array<int, 2>> range;  ///< of the frames
   };
   struct Progress {
     Stage stage = Stage::solving;

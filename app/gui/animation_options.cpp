@@ -9,6 +9,7 @@
 #include "app/export/video_file.h"
 #include "app/gui/choice_list.h"
 #include "app/gui/widgets.h"
+#include "core/run/solved_animation.h"
 
 namespace foldless {
 namespace {
@@ -28,6 +29,11 @@ std::string format_title(const AnimationFormat& format) {
   return title;
 }
 
+int last_frame_at(const Animation& animation, double fps) {
+  if (animation.cycle.frames / animation.fps * fps > kMostFrames) return kMostFrames - 1;
+  return static_cast<int>(moments_of(animation, fps).size()) - 1;
+}
+
 bool can_be_transparent(const AnimationFormat& format) {
   return !format.is_baked() && format.ending != ".mp4";
 }
@@ -40,22 +46,37 @@ std::string why_no_animation(const Editor& editor) {
                                       "head where a pose should be, and move handles.";
 }
 
+AnimationOptions::AnimationOptions() {
+  const auto webp = std::ranges::find(animation_formats(), ".webp", &AnimationFormat::ending);
+  row_ = static_cast<std::size_t>(webp - animation_formats().begin());
+}
+
 void AnimationOptions::open() { has_video_ = has_ffmpeg(); }
 
 const AnimationFormat& AnimationOptions::format() const { return animation_formats()[row_]; }
 
 AnimationChoice AnimationOptions::choice(bool is_transparent) const {
-  return {format(), size_, fps_, is_transparent && can_be_transparent(format()), tolerance_};
+  return {format(),
+          size_,
+          fps_,
+          is_transparent && can_be_transparent(format()),
+          tolerance_,
+          range_,
+          power_of_two_ && format().kind == Kind::sheet};
 }
 
 void AnimationOptions::draw(const Editor& editor, bool& is_transparent, const Look& look) {
   draw_formats(look);
   draw_size(look);
   draw_rate(editor.motion().animation(), look);
+  draw_range(editor.motion().animation(), look);
   if (format().is_baked()) return draw_tolerance(look);
   ImGui::BeginDisabled(!can_be_transparent(format()));
   ImGui::Checkbox("Transparent background", &is_transparent);
   ImGui::EndDisabled();
+  if (format().kind != Kind::sheet) return;
+  ImGui::Checkbox("Sides that are powers of two", &power_of_two_);
+  tooltip("Some programs ask that of the picture that has all frames.", look);
 }
 
 void AnimationOptions::draw_formats(const Look& look) {
@@ -100,6 +121,24 @@ void AnimationOptions::draw_rate(const Animation& animation, const Look& look) {
   if (fps_ == animation.fps) fps_.reset();
   tooltip("The animation has the same length with more frames or fewer: they are solved anew.",
           look);
+}
+
+void AnimationOptions::draw_range(const Animation& animation, const Look& look) {
+  const int last = last_frame_at(animation, fps_.value_or(animation.fps));
+  bool is_cut = range_.has_value();
+  if (ImGui::Checkbox("Some of the frames", &is_cut)) {
+    range_.reset();
+    if (is_cut) range_ = std::array{0, last};
+  }
+  tooltip("The first and the last that are written, from 0; a loop that is cut does not loop.",
+          look);
+  if (!range_) return;
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(look.px(130));
+  ImGui::InputInt2("##range", range_->data());
+  auto& [first, end] = *range_;
+  first = std::clamp(first, 0, last);
+  end = std::clamp(end, first, last);
 }
 
 void AnimationOptions::draw_tolerance(const Look& look) {

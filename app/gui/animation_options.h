@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,8 @@ namespace foldless {
 /// What an animation is written as, and how: a part of the export dialog.
 class AnimationOptions {
  public:
+  AnimationOptions();
+
   /// The dialog opens.
   void open();
   /// `is_transparent` is chosen for pictures of every kind.
@@ -25,12 +28,15 @@ class AnimationOptions {
   void draw_formats(const Look& look);
   void draw_size(const Look& look);
   void draw_rate(const Animation& animation, const Look& look);
+  void draw_range(const Animation& animation, const Look& look);
   void draw_tolerance(const Look& look);
 
-  std::size_t row_ = 2;  ///< of animation_formats(): WebP
+  std::size_t row_ = 0;  ///< of animation_formats()
   bool has_video_ = false;
   std::optional<PictureSize> size_;
   std::optional<double> fps_;
+  std::optional<std::array<int, 2>> range_;
+  bool power_of_two_ = false;
   double tolerance_ = 0.5;  ///< [pixels]
 };
 

@@ -48,10 +48,6 @@ const char* advice(int error) {
   }
 }
 
-[[noreturn]] void refuse_writing(const fs::path& file, int error) {
-  throw Error(file.string() + ": cannot be written: " + reason(error) + advice(error));
-}
-
 /// An open file that is closed when it goes out of scope.
 class Descriptor {
  public:
@@ -150,6 +146,10 @@ void wait_for_writer(const fs::path& file, int descriptor, std::string& bytes) {
 }
 
 }  // namespace
+
+void refuse_writing(const fs::path& file, int error) {
+  throw Error(file.string() + ": cannot be written: " + reason(error) + advice(error));
+}
 
 void read_blocks(const fs::path& file, const std::function<void(std::string_view)>& take) {
   // Without O_NONBLOCK a pipe is opened when somebody opens its other end, perhaps never.

@@ -27,6 +27,10 @@ void write_file_atomically(const std::filesystem::path& file, std::string_view b
 void write_new_file(const std::filesystem::path& file, std::string_view bytes,
                     const std::filesystem::path& told);
 
+/// Throws the Error that says why a file, or a folder, cannot be written and what to do about it.
+/// `error` as of errno.
+[[noreturn]] void refuse_writing(const std::filesystem::path& file, int error);
+
 /// How the hidden names begin under which a file or a folder is made beside where it will be:
 /// `.NAME.foldless-`, of a long name the first 200 bytes. Six letters or digits follow.
 std::string staged_prefix(const std::filesystem::path& result);

@@ -25,11 +25,6 @@ namespace fs = std::filesystem;
 
 fs::path folder_of(const fs::path& result) { return fs::absolute(result).parent_path(); }
 
-[[noreturn]] void refuse_staging(const fs::path& result, int error) {
-  throw Error(result.string() + ": cannot be written: " + std::generic_category().message(error) +
-              (error == ENOSPC ? "; make room there, or choose another folder" : ""));
-}
-
 /// Six letters or digits, as mkstemp() gives them.
 bool is_random_part(std::string_view text) {
   return text.size() == 6 && std::ranges::all_of(text, [](char c) {
@@ -57,11 +52,11 @@ Staged::Staged(fs::path result, What what) : result_(std::move(result)) {
 bool Staged::make(What what) {
   std::string name = folder_of(result_) / (staged_prefix(result_) + "XXXXXX");
   if (what == What::folder) {
-    if (!::mkdtemp(name.data())) refuse_staging(result_, errno);
+    if (!::mkdtemp(name.data())) refuse_writing(result_, errno);
     lock_ = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   } else {
     lock_ = ::mkostemp(name.data(), O_CLOEXEC);
-    if (lock_ < 0) refuse_staging(result_, errno);
+    if (lock_ < 0) refuse_writing(result_, errno);
   }
   path_ = name;
   std::error_code ignored;
@@ -82,9 +77,9 @@ Staged::~Staged() {
 void Staged::take_name(const fs::path& name) {
   if (lock_ >= 0 && ::fsync(lock_) != 0) {
     const int error = errno;
-    if (fs::is_regular_file(path_)) refuse_staging(result_, error);  // of a folder it may be unable
+    if (fs::is_regular_file(path_)) refuse_writing(result_, error);  // of a folder it may be unable
   }
-  if (::rename(path_.c_str(), name.c_str()) != 0) refuse_staging(result_, errno);
+  if (::rename(path_.c_str(), name.c_str()) != 0) refuse_writing(result_, errno);
   path_.clear();
   sync_folder(folder_of(name));
 }

@@ -14,6 +14,23 @@ namespace {
 /// The vertices may become so many times those that the frames alone need.
 constexpr double kMostForStates = 1.5;
 
+/// Of a bake: to put its frames in, and to refine its mesh for them. To prove the steps is the
+/// rest.
+constexpr double kShareOfFrames = 0.1, kShareOfMesh = 0.6;
+
+/// Tells what is done, never less than before.
+class SharesDone {
+ public:
+  explicit SharesDone(const BakeProgress& told) : told_(told) {}
+  void tell(double share) {
+    if (share > most_) told_(most_ = std::min(share, 1.0));
+  }
+
+ private:
+  const BakeProgress& told_;
+  double most_ = 0;
+};
+
 /// The states after frames that were asked for.
 using KnownStates = std::map<std::size_t, std::vector<std::shared_ptr<const Snapshot>>>;
 
@@ -22,8 +39,9 @@ class Baking {
  public:
   /// No states are put in after `hopeless` frames. What it is given has to outlive it.
   Baking(const FramesToBake& frames, const BakeOptions& options,
-         const std::set<std::size_t>& hopeless, KnownStates& between)
+         const std::set<std::size_t>& hopeless, KnownStates& between, SharesDone& shares)
       : frames_(frames),
+        shares_(shares),
         options_(options),
         hopeless_(hopeless),
         between_(between),
@@ -34,9 +52,12 @@ class Baking {
     for (std::size_t i = 0; i < frames_.snapshots.size(); ++i) {
       if (token.stop_requested()) return false;
       order_.push_back({i, 0, refined_.add_frame(frames_.snapshots[i])});
+      shares_.tell(kShareOfFrames * static_cast<double>(i + 1) /
+                   static_cast<double>(frames_.snapshots.size()));
     }
     double most = options_.vertex_limit * frames_.snapshots.front()->original_vertices;
-    if (!refine(most, token)) return false;
+    const auto tell = [this](double share) { shares_.tell(kShareOfFrames + kShareOfMesh * share); };
+    if (!refine(most, token, tell)) return false;
     most = std::min(most, kMostForStates * refined_.mesh().vertex_count());
     while (true) {
       unproved_.clear();
@@ -46,6 +67,7 @@ class Baking {
         unproved_.insert(order_[step].frame);
         if (!hopeless_.contains(order_[step].frame)) steps.push_back(step);
       }
+      tell_of_steps();
       is_full_ = refined_.mesh().vertex_count() >= most;
       if (is_full_) return true;
       // From the last on, so that the places of the others stay.
@@ -54,7 +76,7 @@ class Baking {
         has_parted = part(*step) || has_parted;
       }
       if (!has_parted) return true;
-      if (!refine(most, token)) return false;
+      if (!refine(most, token, [](double) {})) return false;
     }
   }
 
@@ -108,8 +130,16 @@ class Baking {
     return animation;
   }
 
-  bool refine(double most, const std::stop_token& token) {
-    return refined_.refine(options_.tolerance, static_cast<int>(std::min(most, 1e9)), token);
+  bool refine(double most, const std::stop_token& token, const BakeProgress& progress) {
+    return refined_.refine(options_.tolerance, static_cast<int>(std::min(most, 1e9)), progress,
+                           token);
+  }
+
+  /// Those that are proved.
+  void tell_of_steps() {
+    const double unproved =
+        static_cast<double>(unproved_.size()) / static_cast<double>(frames_.snapshots.size());
+    shares_.tell(1 - (1 - kShareOfFrames - kShareOfMesh) * unproved);
   }
 
   /// States are evenly spaced between their frames.
@@ -157,6 +187,7 @@ class Baking {
   }
 
   const FramesToBake& frames_;
+  SharesDone& shares_;
   const BakeOptions& options_;
   const std::set<std::size_t>& hopeless_;
   KnownStates& between_;
@@ -173,11 +204,15 @@ std::optional<BakedAnimation> bake(const FramesToBake& frames, const BakeOptions
                                    const std::stop_token& token) {
   std::set<std::size_t> hopeless;
   KnownStates between;
+  SharesDone shares(options.progress);
   while (true) {
-    Baking baking(frames, options, hopeless, between);
+    Baking baking(frames, options, hopeless, between, shares);
     if (!baking.run(states_between, token)) return std::nullopt;
     const std::set<std::size_t> in_vain = baking.in_vain();
-    if (in_vain.empty()) return baking.take_result();
+    if (in_vain.empty()) {
+      shares.tell(1);
+      return baking.take_result();
+    }
     hopeless.insert(in_vain.begin(), in_vain.end());
   }
 }

@@ -39,10 +39,15 @@ struct BakedAnimation {
   double deviation = 0;  ///< [length]
 };
 
+/// Told what share of a bake is done, as far as can be known; in [0, 1], and never less than
+/// before.
+using BakeProgress = std::function<void(double)>;
+
 /// What a bake is to keep to.
 struct BakeOptions {
   double tolerance = 0;      ///< of the deviation [length]
   double vertex_limit = 32;  ///< most vertices, times those of the drawing
+  BakeProgress progress = [](double) {};
 };
 
 /// The states between the frame of this number and the one after it that lead from one to the

@@ -193,16 +193,20 @@ std::pair<Edge, double> RefineBake::longest_edge(int t) const {
   return longest;
 }
 
-bool RefineBake::refine(double tolerance, int most_vertices, const std::stop_token& token) {
+bool RefineBake::refine(double tolerance, int most_vertices,
+                        const std::function<void(double)>& progress, const std::stop_token& token) {
   struct Task {
     int triangle;
     std::vector<Parting> partings;
   };
   while (!unsettled_.empty()) {
     std::vector<Task> tasks;
+    auto left = unsettled_.size();
     for (const int t : std::exchange(unsettled_, {})) {
       if (token.stop_requested()) return false;
       if (auto found = what_to_mend(t, tolerance)) tasks.push_back({t, std::move(*found)});
+      const auto unsettled = static_cast<double>(--left + tasks.size());
+      progress(1 - unsettled / mesh_.face_count());
     }
     std::ranges::stable_sort(tasks, [](const Task& a, const Task& b) {
       return a.partings.front().distance > b.partings.front().distance;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,8 +24,10 @@ class RefineBake {
   /// Takes one more frame; returns its number.
   std::size_t add_frame(std::shared_ptr<const Snapshot> snapshot);
   /// Adds vertices until every frame has all triangles counter-clockwise and is within a distance
-  /// of the solver's map [length], or there are so many vertices. False when the token was set.
-  bool refine(double tolerance, int most_vertices, const std::stop_token& token);
+  /// of the solver's map [length], or there are so many vertices. Tells what share of its triangles
+  /// is. False when the token was set.
+  bool refine(double tolerance, int most_vertices, const std::function<void(double)>& progress,
+              const std::stop_token& token);
 
   const GrowingMesh& mesh() const { return mesh_; }
   Points deformed(std::size_t frame) const;

@@ -66,8 +66,10 @@ void BackgroundFrames::solve(AnimationToSolve wanted) {
     if (same_start && is_same_animation(*wanted_, wanted)) return;
     const std::size_t kept = same_start ? unchanged_frames(*wanted_, wanted) : 0;
     first_round_.resize(std::min(kept, first_round_.size()));
+    if (!same_start) before_ = std::make_shared<SolvedBefore>();
     done_.clear();
     error_.clear();
+    round_ = 1;
     wanted_ = std::move(wanted);
     running_.request_stop();
   }
@@ -78,6 +80,7 @@ void BackgroundFrames::clear() {
   std::lock_guard lock(mutex_);
   wanted_.reset();
   first_round_.clear();
+  before_ = std::make_shared<SolvedBefore>();
   done_.clear();
   error_.clear();
   running_.request_stop();
@@ -104,6 +107,7 @@ FramesStatus BackgroundFrames::status() const {
   if (!wanted_) return status;
   status.count = moments(*wanted_).size();
   status.is_done = !done_.empty();
+  status.round = status.is_done ? 1 : round_;
   const auto& frames = status.is_done ? done_ : first_round_;
   status.solved = frames.size();
   status.injective = static_cast<std::size_t>(std::ranges::count_if(frames, [](const auto& frame) {
@@ -141,9 +145,19 @@ BackgroundFrames::Task BackgroundFrames::begin_task() {
   task.wanted.moments = moments(*wanted_);
   task.wanted.tolerance = wanted_->tolerance;
   for (const auto& frame : first_round_) task.wanted.known.push_back(*frame);
+  task.wanted.before = before_;
+  round_ = 1;
   running_ = std::stop_source();
   task.token = running_.get_token();
   return task;
+}
+
+void BackgroundFrames::note_round(int round, const std::stop_token& token) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (token.stop_requested() || std::exchange(round_, round) == round) return;
+  }
+  if (wake_) wake_();
 }
 
 void BackgroundFrames::solve_all(Task& task) {
@@ -156,6 +170,7 @@ void BackgroundFrames::solve_all(Task& task) {
     }
     if (wake_) wake_();
   };
+  task.wanted.progress = [&](std::size_t, std::size_t, int round) { note_round(round, task.token); };
   const auto solved = solve_animation(task.frames, task.wanted, task.token);
   if (!solved) return;
   std::vector<std::shared_ptr<const SolvedFrame>> done;

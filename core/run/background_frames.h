@@ -27,6 +27,7 @@ struct FramesStatus {
   std::size_t count = 0;      ///< frames that there will be
   std::size_t solved = 0;     ///< the first of them that there are
   std::size_t injective = 0;  ///< of these, at the boundary too
+  int round = 1;              ///< 2 while a loop is gone through once more
   bool is_done = false;       ///< no frame will change any more
   std::optional<double> gap;  ///< of a loop, as soon as it is done; see SolvedAnimation
   std::string error;          ///< one sentence where it could not go on, else empty
@@ -34,8 +35,9 @@ struct FramesStatus {
 
 /// Solves the frames of an animation on a thread of its own, in order, and keeps them: the same
 /// that solve_animation() returns. After a change those before the first moment at which a handle
-/// differs stay. All functions may be called from one other thread and return at once. `wake` is
-/// called on the own thread when there is news; it must neither block nor throw.
+/// differs stay, and those that follow from the same as one that was solved before come back. All
+/// functions may be called from one other thread and return at once. `wake` is called on the own
+/// thread when there is news; it must neither block nor throw.
 class BackgroundFrames {
  public:
   explicit BackgroundFrames(std::function<void()> wake = {});
@@ -65,6 +67,7 @@ class BackgroundFrames {
   void work(const std::stop_token& stopping);
   /// With the lock held.
   Task begin_task();
+  void note_round(int round, const std::stop_token& token);
   void solve_all(Task& task);
 
   const std::function<void()> wake_;
@@ -73,7 +76,10 @@ class BackgroundFrames {
   std::optional<AnimationToSolve> wanted_;
   std::vector<std::shared_ptr<const SolvedFrame>> first_round_;
   std::vector<std::shared_ptr<const SolvedFrame>> done_;  ///< empty while it goes on
+  /// Solved from the same start; of the own thread, but for being replaced.
+  std::shared_ptr<SolvedBefore> before_ = std::make_shared<SolvedBefore>();
   double gap_ = 0;
+  int round_ = 1;
   std::string error_;
   bool is_held_ = false;
   std::stop_source running_;

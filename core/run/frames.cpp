@@ -16,7 +16,7 @@ Frames::Frames(Problem at_rest, Animation animation)
 
 Problem Frames::problem_at(double frame, const Snapshot* before) const {
   Problem problem = at_rest_;
-  problem.handles = handles_at(animation_, at_rest_.handles, frame);
+  problem.handles = handles(frame);
   if (!before) return problem;
   problem.mesh = MeshPair(*before->triangles, *before->rest, before->deformed);
   problem.mesh.set_stiffness(at_rest_.mesh.stiffness());

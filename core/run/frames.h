@@ -6,6 +6,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "core/method/method.h"
 #include "core/motion/animation.h"
@@ -31,6 +32,10 @@ class Frames {
   Frames(Problem at_rest, Animation animation);
 
   const Animation& animation() const { return animation_; }
+  /// The handles at a moment.
+  std::vector<Handle> handles(double frame) const {
+    return handles_at(animation_, at_rest_.handles, frame);
+  }
   /// The moment `frame` from `before`; from the mesh at rest when that is null. Nothing when the
   /// token was set before it was done. Throws Error as Run.
   std::optional<SolvedFrame> solve(double frame, const Snapshot* before,

@@ -26,38 +26,51 @@ class Rounds {
   }
   /// From where the first came to.
   std::optional<SolvedAnimation> second(const std::stop_token& token) {
-    const Snapshot start = *closing_->snapshot;
+    const auto start = closing_->snapshot;
+    number_ = 2;
     return go(
-        {}, &start, [](const SolvedFrame&) {}, token);
+        {}, start, [](const SolvedFrame&) {}, token);
   }
 
  private:
   /// One round; frame 0 is solved from `start`. In a loop the moment after the last is solved too,
   /// which closes it.
-  std::optional<SolvedAnimation> go(SolvedAnimation round, const Snapshot* start,
+  std::optional<SolvedAnimation> go(SolvedAnimation round,
+                                    const std::shared_ptr<const Snapshot>& start,
                                     const std::function<void(const SolvedFrame&)>& visit,
                                     const std::stop_token& token) {
     while (round.frames.size() < wanted_.moments.size()) {
       const double moment = wanted_.moments[round.frames.size()];
-      const Snapshot* before = round.frames.empty() ? start : round.frames.back().snapshot.get();
-      auto frame = frames_.solve(moment, before, token);
+      auto frame = next(moment, round.frames.empty() ? start : round.frames.back().snapshot, token);
       if (!frame) return std::nullopt;
-      if (before) frame->snapshot = adopted_pose(frame->snapshot, *before);
       visit(*frame);
       round.frames.push_back(std::move(*frame));
-      wanted_.progress(round.frames.size(), wanted_.moments.size());
+      wanted_.progress(round.frames.size(), wanted_.moments.size(), number_);
     }
     const Cycle& cycle = frames_.animation().cycle;
     if (!cycle.loops) return round;
-    closing_ = frames_.solve(cycle.frames, round.frames.back().snapshot.get(), token);
+    closing_ = next(cycle.frames, round.frames.back().snapshot, token);
     if (!closing_) return std::nullopt;
     round.gap = largest_distance(*closing_->snapshot, *round.frames.front().snapshot);
     return round;
   }
 
+  /// A moment from the frame before it, unless that was solved in the same way before.
+  std::optional<SolvedFrame> next(double moment, const std::shared_ptr<const Snapshot>& before,
+                                  const std::stop_token& token) {
+    std::vector<Handle> handles = frames_.handles(moment);
+    if (wanted_.before)
+      if (const auto* known = wanted_.before->find(moment, before.get(), handles)) return *known;
+    auto frame = frames_.solve(moment, before.get(), token);
+    if (frame && before) frame->snapshot = adopted_pose(frame->snapshot, *before);
+    if (frame && wanted_.before) wanted_.before->add(before, std::move(handles), *frame);
+    return frame;
+  }
+
   const Frames& frames_;
   const FramesWanted& wanted_;
   std::optional<SolvedFrame> closing_;
+  int number_ = 1;  ///< of the round
 };
 
 }  // namespace
@@ -72,10 +85,12 @@ std::optional<SolvedAnimation> solve_animation(const Frames& frames, const Frame
   return first;
 }
 
-double closing_tolerance(const Points& rest) {
+double usual_pixel(const Points& rest) {
   const Vec2 sides = rest.rowwise().maxCoeff() - rest.rowwise().minCoeff();
-  return 0.25 / 1024 * sides.maxCoeff();
+  return sides.maxCoeff() / 1024;
 }
+
+double closing_tolerance(const Points& rest) { return 0.25 * usual_pixel(rest); }
 
 std::vector<double> moments_of(const Animation& animation, double fps) {
   const Cycle& cycle = animation.cycle;

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
 
-#include "core/run/frames.h"
+#include "core/run/solved_before.h"
 
 namespace foldless {
 
@@ -18,15 +19,19 @@ struct SolvedAnimation {
   double gap = 0;
 };
 
-/// Told how many frames of how many are solved.
-using FrameProgress = std::function<void(std::size_t, std::size_t)>;
+/// Told how many frames of how many are solved, and in which round: 2 where a loop is gone through
+/// once more.
+using FrameProgress = std::function<void(std::size_t, std::size_t, int)>;
 
 /// What is to be solved of an animation.
 struct FramesWanted {
   std::vector<double> moments;  ///< ascending, in frames from the start
   double tolerance = 0;         ///< of the gap of a loop [length]
-  FrameProgress progress = [](std::size_t, std::size_t) {};
+  FrameProgress progress = [](std::size_t, std::size_t, int) {};
   std::vector<SolvedFrame> known = {};  ///< the first of them, solved before in a first round
+  /// What was solved from the same mesh at rest with the same parameters; gets what is solved now.
+  /// Null: nothing.
+  std::shared_ptr<SolvedBefore> before = nullptr;
   /// Told each that is solved in the first round.
   std::function<void(const SolvedFrame&)> first_round = [](const SolvedFrame&) {};
 };
@@ -37,8 +42,10 @@ struct FramesWanted {
 std::optional<SolvedAnimation> solve_animation(const Frames& frames, const FramesWanted& wanted,
                                                const std::stop_token& token);
 
-/// How far a loop may be from its first shape: a quarter of a pixel of a picture of the usual size,
-/// 1024 along the longer side of the drawing. [length]
+/// A pixel of a picture of the usual size, 1024 along the longer side of the drawing. [length]
+double usual_pixel(const Points& rest);
+
+/// How far a loop may be from its first shape: a quarter of a usual pixel. [length]
 double closing_tolerance(const Points& rest);
 
 /// The moments at which an animation is seen with so many frames a second.

@@ -37,7 +37,8 @@ std::optional<BakedAnimation> bake_solved(const Frames& frames, const SolvedToBa
   const auto between = [&](std::size_t frame) {
     return states_after(frames, wanted.solved, frame, token);
   };
-  return bake(to_bake, {.tolerance = wanted.tolerance}, between, token);
+  return bake(to_bake, {.tolerance = wanted.tolerance, .progress = wanted.progress}, between,
+              token);
 }
 
 }  // namespace foldless

@@ -16,6 +16,7 @@ struct SolvedToBake {
   std::vector<SolvedFrame> solved;  ///< ascending, not empty
   bool loops = false;               ///< the step from the last to the first counts too
   double tolerance = 0;             ///< see BakeOptions [length]
+  BakeProgress progress = [](double) {};
 };
 
 /// Bakes them; what is needed between two frames is solved by `frames`. Nothing when the token was

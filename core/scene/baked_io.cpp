@@ -72,6 +72,16 @@ void append_failures(std::string& text, const std::vector<BakedFailure>& failure
   text += ']';
 }
 
+/// The steps, by the frame before them, that a program should not go through but jump at their end.
+void append_held(std::string& text, const std::vector<BakedFailure>& failures) {
+  text += ",\"held\":[";
+  for (std::size_t i = 0; i < failures.size(); ++i) {
+    if (i > 0) text += ',';
+    append_number(text, static_cast<int>(failures[i].from));
+  }
+  text += ']';
+}
+
 /// Reads one file, line by line.
 class BakedReader {
  public:
@@ -103,7 +113,7 @@ class BakedReader {
 
   int read_header(const JsonValue& header) {
     header.allow_only({"foldless", "version", "fps", "cycle", "loop", "frames", "original_vertices",
-                       "deviation", "proved", "failures", "rest", "triangles"});
+                       "deviation", "proved", "failures", "held", "rest", "triangles"});
     const JsonValue kind = header.at("foldless");
     if (kind.text() != kKind) kind.refuse("is " + kind.shown() + ", but 'animation' is needed");
     const JsonValue version = header.at("version");
@@ -158,6 +168,7 @@ std::string baked_text(const BakedAnimation& animation, const std::vector<BakedF
   append_member(text, "deviation", animation.deviation);
   append_flag(text, "proved", failures.empty());
   append_failures(text, failures);
+  append_held(text, failures);
   text += ",\"rest\":";
   append_points(text, animation.rest);
   text += ",\"triangles\":";

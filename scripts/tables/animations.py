@@ -32,7 +32,7 @@ def bake(program, path, folder):
     call = [program, "animate", str(moving), "-o", str(moving.with_suffix(".foldless"))]
     run = subprocess.run(call, capture_output=True, text=True, check=False)
     found = re.search(r"baked onto (\d+) vertices \((\d+) .*at most ([\d.e-]+) px from the solver's map; "
-                      r"(proved|(\d+) steps are not proved: (.*))", run.stdout)
+                      r"(proved|(\d+) steps are not proved: (.*?)(?:; in the file .*)?$)", run.stdout)
     if run.returncode not in (0, 1) or not found:
         sys.exit(f"{path.name}: {run.stderr.strip() or run.stdout}")
     vertices, of_drawing, deviation, _, unproved, words = found.groups()

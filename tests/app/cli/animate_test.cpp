@@ -62,6 +62,26 @@ TEST(AnimateCall, CheckNamesTheMomentThatIsNot) {
       << checked.out;
 }
 
+TEST(AnimateCall, ASpriteSheetIsNotInMemoryAsAWhole) {
+  const TemporaryFolder folder;
+  const Ended ended = test::run({"animate", sample("snap"), "-o", folder / "a.json", "--size",
+                                 "1600x800", "--range", "0-17", "--quiet"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Image sheet = load_image(folder / "a.png");
+  EXPECT_GT(4.0 * sheet.width * sheet.height, 85e6) << "bytes of its pixels";
+  EXPECT_LT(ended.peak, 300) << "MiB; 550 were its pixels three times";
+}
+
+TEST(AnimateCall, AnAnimatedPngMayEndInApng) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.apng"}) {
+    const Ended ended = test::run({"animate", sample("snap"), "-o", folder / name, "--size",
+                                   "60x30", "--range", "4-9", "--quiet"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+  }
+  EXPECT_EQ(read_file(folder / "a.apng"), read_file(folder / "a.png"));
+}
+
 TEST(AnimateCall, PicturesHaveOneSizeAndTheSameBytesEveryTime) {
   const TemporaryFolder folder;
   for (const char* name : {"a", "b"})

@@ -65,6 +65,7 @@ TEST_F(Video, FfmpegIsGivenEveryPicture) {
   const std::string arguments = read_file(programs_ / "arguments");
   EXPECT_NE(arguments.find("-s 48x32 -r 24 -i pipe:0"), arguments.npos) << arguments;
   EXPECT_NE(arguments.find("-f mp4"), arguments.npos);
+  EXPECT_NE(arguments.find("-xerror"), arguments.npos) << "it goes on after errors otherwise";
 }
 
 TEST_F(Video, WhatFfmpegSaysLastIsTold) {
@@ -73,6 +74,40 @@ TEST_F(Video, WhatFfmpegSaysLastIsTold) {
   EXPECT_EQ(ended.status, 2);
   EXPECT_EQ(ended.err, "foldless: " + folder_ / "a.mp4" + ": ffmpeg failed: Unknown encoder\n");
   EXPECT_EQ(entries(), 0U);
+}
+
+/// ffmpeg's status is 0 for WebM on a full disk, and 1 for MP4.
+TEST_F(Video, AFullDiskIsToldAsOfOtherFilesWhateverTheStatus) {
+  for (const char* const status : {"0", "1"}) {
+    replace_ffmpeg(
+        "cat > /dev/null\nfor last; do :; done\n"
+        "echo \"Error writing trailer of $last: No space left on device\" >&2\n"
+        "echo 'Conversion failed!' >&2\nexit " +
+        std::string(status) + "\n");
+    const Ended ended = animate(folder_ / "a.webm");
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(ended.err, "foldless: " + folder_ / "a.webm" +
+                             ": cannot be written: No space left on device; make room there, or "
+                             "choose another folder\n");
+    EXPECT_EQ(entries(), 0U);
+  }
+}
+
+TEST_F(Video, WhatFfmpegComplainsOfIsAFailureAndNamesTheFileThatWasAskedFor) {
+  replace_ffmpeg("cat > /dev/null\nfor last; do :; done\necho \"$last: Input/output error\" >&2\n");
+  const Ended ended = animate(folder_ / "a.webm");
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_EQ(ended.err, "foldless: " + folder_ / "a.webm" +
+                           ": ffmpeg failed: " + folder_ / "a.webm" + ": Input/output error\n");
+  EXPECT_EQ(entries(), 0U);
+}
+
+TEST_F(Video, AnFfmpegThatEndsEarlyWithoutAWordHasFailed) {
+  replace_ffmpeg("exit 0\n");
+  const Ended ended = animate(folder_ / "a.mp4", "480x320");
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_EQ(ended.err,
+            "foldless: " + folder_ / "a.mp4" + ": ffmpeg ended before it had all pictures\n");
 }
 
 TEST_F(Video, AnEarlierFileStaysWhereItFails) {

@@ -51,8 +51,8 @@ SpriteSheet seven() {
 TEST(SpriteSheet, GivesItsPicturesBack) {
   const SpriteSheet sprites = seven();
   for (const bool power_of_two : {false, true}) {
-    const Image sheet = sprites.sheet(power_of_two);
-    const auto text = nlohmann::json::parse(sprites.json(sheet, "walk.png"));
+    const Image sheet = decode_image(sprites.png(power_of_two, {}));
+    const auto text = nlohmann::json::parse(sprites.json(power_of_two, "walk.png"));
     const std::vector<Image> images = unpacked(sheet, text);
     ASSERT_EQ(images.size(), 7U);
     for (int i = 0; i < 7; ++i) EXPECT_EQ(images[static_cast<std::size_t>(i)], sprite(i)) << i;
@@ -62,7 +62,8 @@ TEST(SpriteSheet, GivesItsPicturesBack) {
 }
 
 TEST(SpriteSheet, SidesArePowersOfTwoOnRequest) {
-  const Image plain = seven().sheet(false), padded = seven().sheet(true);
+  const Image plain = decode_image(seven().png(false, {}));
+  const Image padded = decode_image(seven().png(true, {}));
   EXPECT_EQ(padded.width & (padded.width - 1), 0);
   EXPECT_EQ(padded.height & (padded.height - 1), 0);
   EXPECT_GE(padded.width, plain.width);
@@ -71,7 +72,7 @@ TEST(SpriteSheet, SidesArePowersOfTwoOnRequest) {
 
 TEST(SpriteSheet, DurationsAddUp) {
   const SpriteSheet sprites = seven();
-  const auto text = nlohmann::json::parse(sprites.json(sprites.sheet(false), "a.png"));
+  const auto text = nlohmann::json::parse(sprites.json(false, "a.png"));
   int sum = 0;
   for (const auto& item : text["frames"]) sum += item["duration"].get<int>();
   EXPECT_EQ(sum, 292) << "7 / 24 s";

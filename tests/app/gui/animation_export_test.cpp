@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstdlib>
 
 #include "core/error.h"
@@ -115,6 +116,44 @@ TEST_F(AnimationExports, WithMoreFramesASecondAreSolvedAnew) {
   writing_->start(folder_ / "bar", editor(), more);
   ASSERT_TRUE(finish());
   EXPECT_EQ(names_in(folder_ / "bar").size(), 49U);
+}
+
+TEST_F(AnimationExports, OfSomeFramesAndOnASheetWithSidesOfPowersOfTwo) {
+  AnimationChoice some = choice("bar.json");
+  some.range = std::array{3, 9};
+  some.power_of_two = true;
+  writing_->start(folder_ / "bar.json", editor(), some);
+  ASSERT_TRUE(finish());
+  EXPECT_EQ(said(), "Wrote " + (folder_ / "bar.json").string() + ": 7 frames");
+  const Image sheet = load_image(folder_ / "bar.png");
+  EXPECT_TRUE(std::has_single_bit(static_cast<unsigned>(sheet.width)));
+  EXPECT_TRUE(std::has_single_bit(static_cast<unsigned>(sheet.height)));
+  some.range = std::array{3, 25};
+  writing_->start(folder_ / "other.json", editor(), some);
+  ASSERT_TRUE(finish());
+  EXPECT_EQ(said(), "The frames to be written end with 25, but the last is 24; choose them anew.");
+}
+
+TEST_F(AnimationExports, AreOfTheFramesThatAreTypedInTheDialog) {
+  headless_.key(Key::e, kControl);
+  headless_.settle();
+  const auto frames = headless_.find_words("Some of the frames");
+  ASSERT_TRUE(frames);
+  headless_.click(*frames);
+  headless_.settle();
+  EXPECT_FALSE(headless_.find_words("Sides that are powers of two")) << "of sheets alone";
+  headless_.click(*frames + Vec2(85, 0));
+  headless_.key(Key::a, kControl);
+  headless_.type("20");
+  headless_.key(Key::tab);
+  headless_.settle();
+  headless_.click(headless_.find_words("Choose a file…").value());
+  headless_.settle();
+  headless_.key(Key::a, kControl);
+  headless_.type((folder_ / "some.webp").string());
+  headless_.key(Key::enter);
+  ASSERT_TRUE(headless_.wait_until([this] { return !headless_.ui().is_exporting(); }));
+  EXPECT_EQ(said(), "Wrote " + (folder_ / "some.webp").string() + ": 5 frames");
 }
 
 TEST_F(AnimationExports, KeepWhatTheyBeganWith) {

@@ -90,6 +90,19 @@ TEST(Bake, TheDrawingsOwnTrianglesNeedNoMore) {
   expect_faithful(*baked, frames, 1e-12);
 }
 
+TEST(Bake, TellsHowFarItIsAndNeverLess) {
+  const Fixture f = test::square_grid(7);
+  const FramesToBake frames = frames_of(f, 5, 20, 2);
+  const auto nothing_between = [](std::size_t) { return std::optional<States>(States()); };
+  std::vector<double> shares;
+  const auto note = [&](double share) { shares.push_back(share); };
+  ASSERT_TRUE(bake(frames, {0.001, 100, note}, nothing_between, {}));
+  EXPECT_GT(shares.size(), 20U);
+  EXPECT_TRUE(std::ranges::is_sorted(shares, std::less_equal()));
+  EXPECT_LT(shares.front(), 0.1);
+  EXPECT_EQ(shares.back(), 1);
+}
+
 TEST(Bake, VerticesAreAddedUntilTheToleranceIsKept) {
   const Fixture f = test::square_grid(7);
   const FramesToBake frames = frames_of(f, 5, 20, 2);

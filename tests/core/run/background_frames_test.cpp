@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 
 #include "core/energy/densities.h"
@@ -85,6 +87,28 @@ TEST_F(Background, GivesTheRoundOfALoopThatIsKept) {
   EXPECT_TRUE(frames_.status().gap);
 }
 
+TEST_F(Background, SayThatALoopIsGoneThroughOnceMore) {
+  wanted_.animation.cycle.loops = true;
+  wanted_.tolerance = 0;
+  std::vector<int> rounds;
+  const Frames frames(wanted_.at_rest, wanted_.animation);
+  FramesWanted all{moments_of(wanted_.animation, wanted_.animation.fps), 0};
+  all.progress = [&](std::size_t, std::size_t, int round) { rounds.push_back(round); };
+  ASSERT_TRUE(solve_animation(frames, all, {}));
+  EXPECT_EQ(std::ranges::count(rounds, 1), 12);
+  EXPECT_EQ(std::ranges::count(rounds, 2), 12);
+  std::atomic<int> latest = 1;
+  BackgroundFrames* waking = nullptr;
+  BackgroundFrames noted([&] { latest = std::max<int>(latest, waking->status().round); });
+  waking = &noted;
+  noted.solve(wanted_);
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+  while (!noted.status().is_done && std::chrono::steady_clock::now() < give_up)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(latest, 2);
+  EXPECT_EQ(noted.status().round, 1) << "when it is done nothing goes on";
+}
+
 TEST_F(Background, SolvesNothingBeforeAKeyThatMoves) {
   frames_.solve(wanted_);
   wait();
@@ -98,6 +122,51 @@ TEST_F(Background, SolvesNothingBeforeAKeyThatMoves) {
   for (std::size_t i = 0; i <= 6; ++i)
     EXPECT_EQ(frames_.frame(i)->snapshot, before[i]->snapshot) << "the same object, frame " << i;
   EXPECT_FALSE(are_equal(*frames_.frame(8), *before[8]));
+}
+
+TEST_F(Background, AChangeThatIsTakenBackSolvesNothingAnewInEitherRound) {
+  wanted_.animation.cycle.loops = true;
+  wanted_.tolerance = 0;  // so that there is a second round
+  frames_.solve(wanted_);
+  wait();
+  const AnimationToSolve original = wanted_;
+  std::vector<std::shared_ptr<const SolvedFrame>> before;
+  for (std::size_t i = 0; i < 12; ++i) before.push_back(frames_.frame(i));
+  for (HandleTracks& tracks : wanted_.animation.tracks) tracks.position.back().frame = 7;
+  frames_.solve(wanted_);
+  wait();
+  expect_all_as_expected();
+  EXPECT_FALSE(are_equal(*frames_.frame(6), *before[6]));
+  frames_.solve(original);
+  wait();
+  for (std::size_t i = 0; i < 12; ++i)
+    EXPECT_EQ(frames_.frame(i)->snapshot, before[i]->snapshot) << "the same object, frame " << i;
+  wanted_ = original;
+  expect_all_as_expected();
+}
+
+TEST(SolvedBefore, KnowsAFrameByAllThatItFollowsFrom) {
+  const auto snapshot = [](double x) {
+    auto made = std::make_shared<Snapshot>();
+    made->triangles = std::make_shared<const Triangles>(3, 0);
+    made->rest = std::make_shared<const Points>(Points::Zero(2, 1));
+    made->deformed = Points::Constant(2, 1, x);
+    return std::shared_ptr<const Snapshot>(made);
+  };
+  SolvedBefore solved;
+  const std::vector<Handle> here(1);
+  std::vector<Handle> there(1);
+  there[0].target = {1, 0};
+  const SolvedFrame frame{3, snapshot(5), true, ""};
+  solved.add(snapshot(4), here, frame);
+  ASSERT_TRUE(solved.find(3, snapshot(4).get(), here)) << "another object with the same bits";
+  EXPECT_EQ(solved.find(3, snapshot(4).get(), here)->snapshot, frame.snapshot);
+  EXPECT_FALSE(solved.find(3, snapshot(4).get(), there));
+  EXPECT_FALSE(solved.find(3, snapshot(4.5).get(), here));
+  EXPECT_FALSE(solved.find(3, nullptr, here));
+  EXPECT_FALSE(solved.find(2, snapshot(4).get(), here));
+  for (int i = 10; i < 20; ++i) solved.add(snapshot(i), here, frame);
+  EXPECT_FALSE(solved.find(3, snapshot(4).get(), here)) << "the latest few are kept";
 }
 
 TEST_F(Background, AnotherProblemBeginsAnew) {
