@@ -170,7 +170,9 @@ void BackgroundFrames::solve_all(Task& task) {
     }
     if (wake_) wake_();
   };
-  task.wanted.progress = [&](std::size_t, std::size_t, int round) { note_round(round, task.token); };
+  task.wanted.progress = [&](std::size_t, std::size_t, int round) {
+    note_round(round, task.token);
+  };
   const auto solved = solve_animation(task.frames, task.wanted, task.token);
   if (!solved) return;
   std::vector<std::shared_ptr<const SolvedFrame>> done;
