@@ -122,6 +122,14 @@ std::shared_ptr<const SolvedFrame> Motion::solved() const {
   return is_there ? solved_between_ : nullptr;
 }
 
+std::optional<double> Motion::gap() const {
+  const std::optional<double> gap = frames_.status().gap;
+  if (!gap || draft_.document().is_empty()) return std::nullopt;
+  const Points& rest = draft_.document().original->rest;
+  if (*gap <= closing_tolerance(rest)) return std::nullopt;
+  return *gap / usual_pixel(rest);
+}
+
 /// While a frame is not solved what was on screen stays there.
 void Motion::show() {
   solved_between_ = between_ ? frames_.between(*between_) : nullptr;

@@ -52,8 +52,11 @@ class Motion {
   /// Whether an edit of a handle without keys sets one, and one at frame 0 with what was before.
   bool records() const { return records_; }
   void toggle_records();
-  /// Keys at the play head for position and angle of the selected handles, or of all where none is.
+  /// Keys at the play head of the selected handles, or of all where none is: for position and
+  /// angle, and for depth and weight where these have keys already.
   void key_handles();
+  /// A key at the play head for one property of one handle.
+  void key_row(int handle, KeyedProperty property);
   /// Ids and frames that the animation has; the rest is passed over.
   const Keys& selected() const { return selected_; }
   void select(const Keys& keys);
@@ -81,6 +84,9 @@ class Motion {
   const MotionFrames& frames() const { return frames_; }
   /// What is solved of the moment at the play head; null while nothing is.
   std::shared_ptr<const SolvedFrame> solved() const;
+  /// How far a loop that does not close is from its first shape [pixels of a picture with 1024
+  /// along the longer side]; nothing of one that closes, and while it is not known.
+  std::optional<double> gap() const;
   MotionProofStatus proof() const { return bake_.status(); }
   const MotionBake& bake() const { return bake_; }
   void update();
@@ -98,6 +104,7 @@ class Motion {
   };
 
   void change(const std::string& label, const std::function<void(Animation&)>& change);
+  void key(const std::function<bool(int, KeyedProperty)>& is_due);
   void key_what_changed(const Document& before, Document& after);
   int end() const { return animation().cycle.loops ? last_frame() + 1 : last_frame(); }
   void advance();

@@ -81,12 +81,23 @@ void Motion::key_what_changed(const Document& before, Document& after) {
 }
 
 void Motion::key_handles() {
-  change("Key", [this](Animation& animation) {
-    for (const Handle& handle : handles_at(animation, draft_.document().handles, frame_)) {
-      if (!is_selected(draft_.selection(), handle.id)) continue;
-      set_key(animation, handle, KeyedProperty::position, frame_);
-      set_key(animation, handle, KeyedProperty::angle, frame_);
-    }
+  const auto is_due = [this](int id, KeyedProperty property) {
+    const bool is_pose = property == KeyedProperty::position || property == KeyedProperty::angle;
+    return is_selected(draft_.selection(), id) &&
+           (is_pose || foldless::has_keys(animation(), id, property));
+  };
+  key(is_due);
+}
+
+void Motion::key_row(int handle, KeyedProperty property) {
+  key([&](int id, KeyedProperty other) { return id == handle && other == property; });
+}
+
+void Motion::key(const std::function<bool(int, KeyedProperty)>& is_due) {
+  change("Key", [&](Animation& animation) {
+    for (const Handle& handle : handles_at(animation, draft_.document().handles, frame_))
+      for (const KeyedProperty property : kKeyedProperties)
+        if (is_due(handle.id, property)) set_key(animation, handle, property, frame_);
   });
 }
 

@@ -2,6 +2,9 @@
 #include "app/editor/status.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
 #include <string>
 
 #include "app/editor/draft.h"
@@ -62,6 +65,7 @@ std::string marked(const Snapshot& shown, const std::string& words) {
 /// What is proved of all frames, and of the moments between them.
 std::string whole_words(const FramesStatus& frames, const MotionProofStatus& proof) {
   using State = MotionProofStatus::State;
+  if (frames.round > 1) return "the loop did not close: solving it once more";
   const bool has_all = frames.injective == frames.count;
   if (has_all && proof.state == State::proved)
     return "every moment of the animation proved injective";
@@ -70,6 +74,15 @@ std::string whole_words(const FramesStatus& frames, const MotionProofStatus& pro
   if (proof.state == State::running) return all + ", proving the moments between";
   if (proof.state == State::unproved) return all + ", not between: " + proof.problem;
   return all;
+}
+
+/// How far a loop that does not close is from its first shape.
+std::string gap_words(const Motion& motion) {
+  const std::optional<double> gap = motion.gap();
+  if (!gap) return {};
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), " · the loop comes back only to within %.3g px", *gap);
+  return text.data();
 }
 
 /// How a run that has ended by itself, or a restored document, stands.
@@ -127,7 +140,7 @@ Status status_of(const Motion& motion) {
   if (!solved)
     return {StatusKind::solving, frame + " is not solved yet: " + std::to_string(frames.solved) +
                                      " of " + std::to_string(frames.count) + " are"};
-  const std::string all = " · " + whole_words(frames, motion.proof());
+  const std::string all = gap_words(motion) + " · " + whole_words(frames, motion.proof());
   if (solved->is_satisfied) return {StatusKind::converged, frame + ": every handle is there" + all};
   const std::string why = solved->verdict.empty() ? "" : ": " + solved->verdict;
   return {StatusKind::blocked, frame + ": some handles are not at their targets" + why + all};

@@ -53,7 +53,7 @@ void expect_no_source(const AnimationToWrite& animation);
 
 /// Leaves the frames from the first to the last of a range, from 0, which are no loop. To be done
 /// when all are solved: a frame follows from those before it, and in a loop from the round that is
-/// kept. Precondition: there are so many.
+/// kept. Throws Error where there are fewer.
 void keep_range(AnimationToWrite& animation, const std::array<int, 2>& range);
 
 /// Writes an animation as pictures. False when the token was set or nothing was drawn; then

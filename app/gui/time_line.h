@@ -29,6 +29,7 @@ struct TimeLineGesture {
   int grabbed_frame = 0;  ///< where what is pulled was
   int low = 0, high = 0;  ///< the first and the last frame of the selected keys
   Keys before = {};       ///< selected when a band began that adds
+  Keys selected = {};     ///< when a band began
 };
 
 /// What the time line remembers from frame to frame.

@@ -25,6 +25,9 @@ bool is_in_row(const KeyPlace& key, const TimeLineRow& row) {
   return key.handle == row.handle && key.property == row.property;
 }
 
+/// The library counts keys as this program does, and has a table to its own.
+bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
 /// The hand on the time line in one frame.
 class Hand {
  public:
@@ -41,7 +44,7 @@ class Hand {
     scroll();
     if (ImGui::IsItemActivated() && io_.MouseDown[ImGuiMouseButton_Left]) press();
     if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) open_menu();
-    if (gesture_.kind != Kind::none && ImGui::IsKeyPressed(ImGuiKey_Escape)) gesture_ = {};
+    if (gesture_.kind != Kind::none && is_pressed(ImGuiKey_Escape)) take_back();
     if (gesture_.kind == Kind::scrub) scrub();
     if (gesture_.kind == Kind::band) select_band();
     if (gesture_.kind != Kind::none && !io_.MouseDown[ImGuiMouseButton_Left]) release();
@@ -141,11 +144,20 @@ class Hand {
       return editor_.selection().select({rows_[static_cast<std::size_t>(row)].handle});
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
       motion_.go_to(place_.frame_at(io_.MousePos.x));
-      if (has_row) editor_.selection().select({rows_[static_cast<std::size_t>(row)].handle});
-      return motion_.key_handles();
+      if (!has_row) return motion_.key_handles();
+      const auto [handle, property] = rows_[static_cast<std::size_t>(row)];
+      editor_.selection().select({handle});
+      return motion_.key_row(handle, property);
     }
-    if (io_.KeyShift) gesture_.before = motion_.selected();
+    gesture_.selected = motion_.selected();
+    if (io_.KeyShift) gesture_.before = gesture_.selected;
     gesture_.kind = Kind::band;
+  }
+
+  /// Nothing has changed before the end but what a band has selected.
+  void take_back() {
+    const TimeLineGesture given_up = std::exchange(gesture_, {});
+    if (given_up.kind == Kind::band) motion_.select(given_up.selected);
   }
 
   void select_band() {

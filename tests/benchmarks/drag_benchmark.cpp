@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frame times of the whole editor, off screen, while a handle of a mesh is dragged round and the
-// solver works behind it. The argument is the number of triangles.
+// solver works behind it, and while an animation plays. The argument is the number of triangles.
 #include <benchmark/benchmark.h>
 
 #include <glad/gl.h>
@@ -11,6 +11,7 @@
 #include <ctime>
 #include <numbers>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "app/editor/editor.h"
@@ -59,7 +60,7 @@ class Stage {
     return editor_.canvas().to_pixel(world) + Vec2(canvas.x, canvas.y);
   }
   void send(const InputEvent& event) { ui_.receive(event); }
-  const Editor& editor() const { return editor_; }
+  Editor& editor() { return editor_; }
 
   /// Draws one picture, then waits for the next refresh.
   FrameCost frame() {
@@ -148,6 +149,55 @@ void draw(benchmark::State& state) {
   report(state, frames);
 }
 BENCHMARK(draw)->Arg(500)->Arg(5000)->Arg(50000)->Iterations(1)->Unit(benchmark::kSecond);
+
+void press(Stage& stage, Key key) {
+  stage.send(KeyPressed{key, {}, false});
+  stage.send(KeyReleased{key});
+  stage.frame();
+}
+
+/// Keys at frames 0 and 12 of a loop of 24: the middle goes to the side and back.
+void animate(Stage& stage) {
+  for (const double x : {-0.4, 0.4, 0.0}) click(stage, stage.pixel({x, 0}));
+  press(stage, Key::t);
+  Motion& motion = stage.editor().motion();
+  motion.set_cycle({24, true});
+  motion.go_to(12);
+  stage.frame();
+  const Vec2 middle = stage.pixel({0, 0});
+  stage.send(PointerMoved{middle, {}});
+  stage.send(PointerPressed{Button::left, middle, {}});
+  for (int i = 0; i <= 10; ++i) {
+    stage.send(PointerMoved{middle + Vec2(0, 6 * i), {}});
+    stage.frame();
+  }
+  stage.send(PointerReleased{Button::left, middle + Vec2(0, 60), {}});
+  do stage.frame();
+  while (!motion.frames().status().is_done ||
+         motion.proof().state == MotionProofStatus::State::running);
+  motion.go_to(0);
+}
+
+/// All frames are solved and proved; what a display waits for while they play.
+void play(benchmark::State& state) {
+  Stage stage(static_cast<int>(state.range(0)));
+  animate(stage);
+  std::vector<FrameCost> frames;
+  int changes = 0;
+  for (auto _ : state) {
+    press(stage, Key::space);
+    const Clock::time_point start = Clock::now();
+    int before = stage.editor().motion().frame();
+    for (int i = 0; i < kFrames; ++i) {
+      frames.push_back(stage.frame());
+      if (std::exchange(before, stage.editor().motion().frame()) != before) ++changes;
+    }
+    const std::chrono::duration<double> took = Clock::now() - start;
+    state.counters["frames_a_second"] = changes / took.count();
+  }
+  report(state, frames);
+}
+BENCHMARK(play)->Arg(2000)->Iterations(1)->Unit(benchmark::kSecond);
 
 }  // namespace
 }  // namespace foldless::benchmarks

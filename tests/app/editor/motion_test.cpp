@@ -121,6 +121,44 @@ TEST_F(EditorMotion, TellsOfFramesThatAreNotReached) {
   EXPECT_TRUE(editor_->draft().proof().holds());
 }
 
+/// A whole turn, which twists the mesh round it, and no turn in frame 0, where it comes back to.
+class EditorMotionOfATurn : public EditorMotion {
+ protected:
+  void turn_the_middle_once_in_a_loop() {
+    const int middle = place(40);
+    settle();
+    Document document = editor_->document();
+    std::ranges::find(document.handles, middle, &Handle::id)->turn = Turn{0, 1.5};
+    HandleTracks tracks;
+    tracks.handle = middle;
+    tracks.angle = {{0, 0, {}}, {12, 360, {}}};
+    Animation animation;
+    animation.cycle = {12, true};
+    animation.tracks = {tracks};
+    document.animation = std::make_shared<const Animation>(animation);
+    editor_->draft().edit("Turn", document, Change::mesh);
+    solve_all();
+  }
+};
+
+TEST_F(EditorMotionOfATurn, TheStatusSaysByHowMuchALoopDoesNotClose) {
+  animate();
+  motion().set_cycle({12, true});
+  solve_all();
+  ASSERT_TRUE(motion().frames().status().gap);
+  EXPECT_FALSE(motion().gap()) << "it closes";
+  EXPECT_EQ(editor_->status().words.find("the loop comes back"), std::string::npos);
+  turn_the_middle_once_in_a_loop();
+  ASSERT_TRUE(motion().gap());
+  EXPECT_NEAR(*motion().gap(), *motion().frames().status().gap * 1024 / 8, 1e-9)
+      << "in pixels, of which the grid of side 8 has 1024";
+  std::array<char, 64> words{};
+  std::snprintf(words.data(), words.size(), "the loop comes back only to within %.3g px",
+                *motion().gap());
+  EXPECT_NE(editor_->status().words.find(words.data()), std::string::npos)
+      << editor_->status().words;
+}
+
 TEST_F(EditorMotion, ClosedItShowsTheNewestStateAndSetsNoKeys) {
   animate();
   key(Key::t);
