@@ -40,7 +40,7 @@ PacedRun run_of(Phase first, Phase then) {
   Problem problem{MeshPair(shape.triangles, shape.rest), find_density("arap"), {}, {}};
   problem.handles.push_back({.id = 1, .vertex = 0, .target = shape.rest.col(0)});
   Inbox messages;
-  messages.load = Inbox::Load{std::move(problem), 1};
+  messages.load = std::make_unique<const Inbox::Load>(Inbox::Load{std::move(problem), 1});
   messages.set_mode(WorkerMode::running);
   run.apply(messages);
   return run;
