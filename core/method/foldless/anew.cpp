@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/method/foldless/candidates.h"
-#include "core/method/foldless/foldless.h"
 #include "core/method/foldless/go_back.h"
 #include "core/method/foldless/inner_run.h"
 #include "core/method/foldless/settle.h"
@@ -39,14 +38,14 @@ void choose(std::optional<Workspace>& best, Workspace other) {
 
 /// The best shape from rest, of all ways that are cheap; nothing where none arrives. `start` has
 /// the targets.
-Steps<> search(const Problem& rest, const CoarseSettings& dense, const Workspace& start,
+Steps<> search(const Problem& rest, const Solver& solver, const Workspace& start,
                std::optional<Workspace>& best) {
   Workspace other = start;
   Effort& effort = other.system.effort();
-  Foldless run(rest, dense);
-  co_await run_inside(run, Phase::anew, effort);
-  if (run.outcome() == Outcome::gradient) {
-    other.set_mesh(run.mesh());
+  const std::unique_ptr<SteppedMethod> run = solver(rest);
+  co_await run_inside(*run, Phase::anew, effort);
+  if (run->outcome() == Outcome::gradient) {
+    other.set_mesh(run->mesh());
     co_await go_back(other, rest.mesh.triangles());
     choose(best, std::move(other));
   }
@@ -72,12 +71,12 @@ bool does_way_matter(const std::vector<PrescribedRegion>& regions) {
 }
 
 Steps<> start_anew(Workspace& work, const Problem& problem, const Triangles& original,
-                   const CoarseSettings& dense) {
+                   const Solver& solver) {
   using namespace starting_anew;
   if (problem.mesh.face_count() > kLargestMesh) co_return;
   const Problem rest = at_rest(problem, work, original);
   std::optional<Workspace> best;
-  Steps<> steps = search(rest, dense, work, best);
+  Steps<> steps = search(rest, solver, work, best);
   co_await in_phase(Phase::anew, std::move(steps));
   if (best && merit_of(*best) <= (1 + kRise) * merit_of(work))
     co_await walk_over(work, std::move(best->mesh));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -141,7 +142,11 @@ Steps<> Foldless::forget_the_way() {
   const auto original = original_triangles(problem_, settings_.first_removable);
   if (!original) co_return;
   co_await go_back(work_, *original);
-  if (!does_way_matter(regions_)) co_await start_anew(work_, problem_, *original, dense_);
+  if (does_way_matter(regions_)) co_return;
+  const Solver solver = [this](const Problem& problem) {
+    return std::make_unique<Foldless>(problem, dense_);
+  };
+  co_await start_anew(work_, problem_, *original, solver);
 }
 
 // What the handles of a part do together costs no step. Where it is not all of their way the mesh
