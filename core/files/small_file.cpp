@@ -9,10 +9,10 @@
 namespace foldless {
 
 std::string read_small_file(const std::filesystem::path& file) {
-  constexpr std::uintmax_t kMostBytes = 1 << 20;
+  constexpr std::uintmax_t kMostBytesOfSmall = 1 << 20;
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure)) return {};
-  if (std::filesystem::file_size(file, failure) > kMostBytes || failure) return {};
+  if (std::filesystem::file_size(file, failure) > kMostBytesOfSmall || failure) return {};
   try {
     return read_file(file);
   } catch (const Error&) {
