@@ -11,6 +11,7 @@
 #include "core/scene/baked_io.h"
 #include "render/image.h"
 #include "tests/app/cli/command.h"
+#include "tests/support/sanitizers.h"
 
 namespace foldless {
 namespace {
@@ -63,6 +64,7 @@ TEST(AnimateCall, CheckNamesTheMomentThatIsNot) {
 }
 
 TEST(AnimateCall, ASpriteSheetIsNotInMemoryAsAWhole) {
+  if (test::kIsSanitized) GTEST_SKIP() << "sanitizers take memory of their own";
   const TemporaryFolder folder;
   const Ended ended = test::run({"animate", sample("snap"), "-o", folder / "a.json", "--size",
                                  "1600x800", "--range", "0-17", "--quiet"});

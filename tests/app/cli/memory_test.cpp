@@ -5,6 +5,7 @@
 #include "render/image.h"
 #include "tests/app/cli/command.h"
 #include "tests/core/run/scripted_method.h"
+#include "tests/support/sanitizers.h"
 
 namespace foldless {
 namespace {
@@ -12,15 +13,6 @@ namespace {
 using test::Ended;
 using test::TemporaryFolder;
 using test::write_text;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsMeasurable = false;
-#elif defined(__has_feature)
-constexpr bool kIsMeasurable =
-    !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
-#else
-constexpr bool kIsMeasurable = true;
-#endif
 
 /// The peak of drawing a file, or a small scene with a picture [MiB].
 Ended draw(const TemporaryFolder& folder, const std::string& file,
@@ -31,7 +23,7 @@ Ended draw(const TemporaryFolder& folder, const std::string& file,
 }
 
 TEST(Memory, HeadersThatPromiseMuchAreRefusedWithoutIt) {
-  if (!kIsMeasurable) GTEST_SKIP() << "sanitizers take memory of their own";
+  if (test::kIsSanitized) GTEST_SKIP() << "sanitizers take memory of their own";
   const TemporaryFolder folder;
   const std::string counts = "1000000000";
   write_text(folder / "a.off", "OFF\n" + counts + ' ' + counts + " 0\n0 0 0\n");
@@ -50,7 +42,7 @@ TEST(Memory, HeadersThatPromiseMuchAreRefusedWithoutIt) {
 }
 
 TEST(Memory, AChunkThatPromisesMuchIsRefusedWithoutIt) {
-  if (!kIsMeasurable) GTEST_SKIP() << "sanitizers take memory of their own";
+  if (test::kIsSanitized) GTEST_SKIP() << "sanitizers take memory of their own";
   const TemporaryFolder folder;
   const std::string scene = folder / "scene.json";
   test::write_scene(scene, test::grid_problem(3, Vec2(2, 2)));
@@ -64,7 +56,7 @@ TEST(Memory, AChunkThatPromisesMuchIsRefusedWithoutIt) {
 }
 
 TEST(Memory, APictureTakesAtMostThriceItsDecodedSize) {
-  if (!kIsMeasurable) GTEST_SKIP() << "sanitizers take memory of their own";
+  if (test::kIsSanitized) GTEST_SKIP() << "sanitizers take memory of their own";
   const TemporaryFolder folder;
   const std::string scene = folder / "scene.json";
   test::write_scene(scene, test::grid_problem(3, Vec2(2, 2)));
