@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <exception>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/folder_names.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -163,10 +165,15 @@ void ResultFolder::expect_free_frames() const {
 }
 
 void ResultFolder::commit() {
+  const std::vector<std::string> files = names_below(staged());
+  std::vector<std::optional<ResultFile>> entries(files.size());
+  in_parallel(static_cast<int>(files.size()), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    entries[at] = entry_of(staged(), files[at]);
+  });
   Manifest manifest;
-  for (const std::string& name : names_below(staged())) {
-    if (const auto entry = entry_of(staged(), name)) manifest.push_back(*entry);
-  }
+  for (const auto& entry : entries)
+    if (entry) manifest.push_back(*entry);
   std::ranges::sort(manifest, {}, &ResultFile::name);
   for (const ResultFile& file : manifest) expect_free(file.name);
   write_file_atomically(staged() / kManifest, text_of(manifest));

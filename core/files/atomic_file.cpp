@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Parts = std::span<const std::string_view>;
+
 /// Of a file that is read: a mesh of ten million triangles has less.
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
@@ -79,6 +81,12 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
+int write_all(int descriptor, Parts parts) {
+  for (const std::string_view bytes : parts)
+    if (const int error = write_all(descriptor, bytes)) return error;
+  return 0;
+}
+
 /// The hidden names that are tried, in order: so what a process left that was killed is found
 /// without looking through the folder, where there may be many thousands of frames.
 fs::path temporary_name(const fs::path& file, int number) {
@@ -113,21 +121,21 @@ int keep_permissions(const fs::path& file, int descriptor) {
 
 /// Writes a new file under a name of its own beside `file`; its name stays in `temporary`, and
 /// while `lock` lives no process takes it for a leftover.
-int write_beside(const fs::path& file, std::string_view bytes, fs::path& temporary,
+int write_beside(const fs::path& file, Parts parts, fs::path& temporary,
                  std::optional<Descriptor>& lock) {
   Descriptor out = make_beside(file, temporary);
   if (!out.is_open()) return errno;
   lock.emplace(::fcntl(out.number(), F_DUPFD_CLOEXEC, 0));
-  if (const int error = write_all(out.number(), bytes)) return error;
+  if (const int error = write_all(out.number(), parts)) return error;
   if (const int error = keep_permissions(file, out.number())) return error;
   if (::fsync(out.number()) != 0) return errno;
   return out.close();
 }
 
-void write_in_place(const fs::path& file, std::string_view bytes) {
+void write_in_place(const fs::path& file, Parts parts) {
   Descriptor out(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
   if (!out.is_open()) refuse_writing(file, errno);
-  int error = write_all(out.number(), bytes);
+  int error = write_all(out.number(), parts);
   if (error == 0) error = out.close();
   if (error != 0) refuse_writing(file, error);
 }
@@ -190,17 +198,21 @@ std::string read_file(const fs::path& file) {
 }
 
 void write_file_atomically(const fs::path& file, std::string_view bytes) {
+  write_file_atomically(file, std::span(&bytes, 1));
+}
+
+void write_file_atomically(const fs::path& file, Parts parts) {
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
   if (fs::is_directory(status)) refuse_writing(file, EISDIR);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(file, bytes);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(file, parts);
 
   const fs::path resolved = fs::weakly_canonical(file, ignored);
   const fs::path target = ignored ? file : resolved;
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   fs::path temporary;
   std::optional<Descriptor> lock;
-  int error = write_beside(target, bytes, temporary, lock);
+  int error = write_beside(target, parts, temporary, lock);
   if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) {
     if (!temporary.empty()) ::unlink(temporary.c_str());

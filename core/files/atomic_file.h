@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,9 @@ void read_blocks(const std::filesystem::path& file,
 /// written to. Throws Error when that fails, and leaves no temporary file; that of a process that
 /// was killed is removed by the next that writes the same file.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
+/// The same with bytes that are in several places, one after the other.
+void write_file_atomically(const std::filesystem::path& file,
+                           std::span<const std::string_view> parts);
 
 /// Writes a file that is not there, and waits until it has reached the disk. Throws Error, which
 /// speaks of the file `told`, and may leave a part of it: for folders that go then.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 #include <utility>
 
 #include "core/error.h"
@@ -61,9 +62,13 @@ void write_mesh(const fs::path& file, const Triangles& triangles, const Points& 
                 const Points* rest) {
   const std::string extension = lower_case_extension(file);
   if (!is_mesh_file(file)) refuse_format(file);
-  write_file_atomically(file, extension == ".obj"   ? obj_text(triangles, points, rest)
-                              : extension == ".off" ? off_text(triangles, points)
-                                                    : ply_text(triangles, points));
+  if (extension != ".obj")
+    return write_file_atomically(
+        file, extension == ".off" ? off_text(triangles, points) : ply_text(triangles, points));
+  const std::string vertices = obj_vertex_lines(points);
+  const std::string after = obj_lines_after_vertices(triangles, rest);
+  const std::string_view parts[] = {vertices, after};
+  write_file_atomically(file, parts);
 }
 
 }  // namespace foldless

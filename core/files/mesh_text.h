@@ -14,6 +14,11 @@ namespace foldless {
 std::string obj_text(const Triangles& triangles, const Points& points,
                      const Points* rest = nullptr);
 
+/// The two halves of obj_text(). Meshes that differ in positions alone share the second, which is
+/// three quarters of a large file.
+std::string obj_vertex_lines(const Points& points);
+std::string obj_lines_after_vertices(const Triangles& triangles, const Points* rest);
+
 /// Wavefront OBJ with these texture coordinates, 2 × #V.
 std::string textured_obj_text(const Triangles& triangles, const Points& points,
                               const Points& coordinates);
