@@ -50,6 +50,7 @@ bool ConeMatrix::factorize(const ConeProgram& program, const MiddleMatrices& mid
       add_block(matrix_, e.nodes, e.P + e.G.transpose() * middle[t] * e.G);
     }
   }
+  if (is_stopped()) return false;
   if (!cholesky_.is_analyzed()) {
     StageTimer timer(times_.analyze);
     cholesky_.analyze(matrix_);
@@ -63,7 +64,7 @@ Eigen::VectorXd ConeMatrix::solve(const ConeProgram& program, const MiddleMatric
                                   const Eigen::VectorXd& right) {
   StageTimer timer(times_.solve);
   Eigen::VectorXd x = cholesky_.solve(right);
-  for (int round = 0; round < kRefinements; ++round) {
+  for (int round = 0; round < kRefinements && !is_stopped(); ++round) {
     Eigen::VectorXd residual = right;
     for (std::size_t t = 0; t < program.size(); ++t) {
       const ConeElement& e = program[t];

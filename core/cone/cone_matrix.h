@@ -48,12 +48,14 @@ class ConeMatrix {
 
   /// Unknowns, 2 #nodes.
   int size() const { return matrix_.size(); }
-  /// What may stop a factorization from now on.
+  /// What may stop factorizations and refinements from now on.
   void obey(const std::stop_token& token) { cholesky_.obey(token); }
+  bool is_stopped() const { return cholesky_.is_stopped(); }
   /// Assembles and factorizes; false when the matrix is not positive definite, or it was stopped.
   bool factorize(const ConeProgram& program, const MiddleMatrices& middle);
   /// Solves with the factor of these arguments and two rounds of iterative refinement. The residual
-  /// is summed element by element, which keeps what cancels in the sum of the matrix.
+  /// is summed element by element, which keeps what cancels in the sum of the matrix. Less exact
+  /// where it was stopped.
   Eigen::VectorXd solve(const ConeProgram& program, const MiddleMatrices& middle,
                         const Eigen::VectorXd& right);
   int factorizations() const { return factorizations_; }

@@ -196,6 +196,7 @@ bool InteriorPoint::advance() {
   for (Eigen::Index t = 0; t < s_.cols(); ++t)
     complementarity.col(t) = -scaling_[static_cast<std::size_t>(t)].lambda;
   const Direction affine = direction(complementarity);
+  if (matrix_.is_stopped()) return false;
   const Direction d = direction(corrected(affine));
   const double t = std::min(1.0, kStep * step_length(d));
   if (!(t >= kSmallestStep)) return false;
@@ -260,8 +261,11 @@ ConeSolution ConeSolver::solve(const ConeProgram& program, double tolerance,
   return solution;
 }
 
-bool ConeSolver::factorize_cost(const ConeProgram& program) {
-  return matrix_.factorize(program, no_constraints(program));
+bool ConeSolver::factorize_cost(const ConeProgram& program, const std::stop_token& token) {
+  matrix_.obey(token);
+  const bool has_factor = matrix_.factorize(program, no_constraints(program));
+  matrix_.obey({});
+  return has_factor;
 }
 
 Eigen::VectorXd ConeSolver::minimize_cost(const ConeProgram& program) {

@@ -39,10 +39,11 @@ class ConeSolver {
   /// Solves a program over the elements given before, in their order. The residuals of a solution
   /// are below `tolerance`: that of Gx + g = s absolutely, that of Px + q = Gᵀz relative to
   /// 1 + ‖q‖, and sᵀz, ten times that, relative to 1 + |objective|; where rounding stops the
-  /// iteration before, below 1e-5. The token is looked at between iterations.
+  /// iteration before, below 1e-5. The token is looked at in factorizations and before each solve.
   ConeSolution solve(const ConeProgram& program, double tolerance, const std::stop_token& token);
-  /// Factorizes P alone, for minimize_cost(); false when it is not positive definite.
-  bool factorize_cost(const ConeProgram& program);
+  /// Factorizes P alone, for minimize_cost(); false when it is not positive definite, or the token
+  /// stopped it.
+  bool factorize_cost(const ConeProgram& program, const std::stop_token& token);
   /// The minimiser of the cost without the constraints. Precondition: factorize_cost() was the last
   /// call, succeeded, and was of a program with the same P.
   Eigen::VectorXd minimize_cost(const ConeProgram& program);

@@ -190,7 +190,8 @@ std::optional<Points> ConformalSystem::unconstrained_minimum(const Points& u, co
   std::vector<TriangleTerm> terms(free_.size(), energy_term(1));
   ConeProgram cost = program(u, targets, terms);
   if (token.stop_requested()) return std::nullopt;
-  solver.factorize_cost(cost);
+  solver.factorize_cost(cost, token);
+  if (token.stop_requested()) return std::nullopt;
   Points minimum = moved(u, solver.minimize_cost(cost));
   for (int step = 1; follows_frame && step < kLocalGlobalSteps; ++step) {
     if (token.stop_requested()) return std::nullopt;

@@ -166,6 +166,20 @@ TEST(ConeProgram, ACancelledSolveSaysSo) {
             ConeStatus::cancelled);
 }
 
+TEST(ConeProgram, AStoppedFactorizationOfTheCostSaysSoAndTheNextIsWhole) {
+  Posed posed(reference_problem("dirichlet"));
+  const ConeProgram program = posed.bounded(1e3);
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(posed.system.solver.factorize_cost(program, source.get_token()));
+  ASSERT_TRUE(posed.system.solver.factorize_cost(program, {}));
+  const Points minimum = posed.system.moved(posed.u, posed.system.solver.minimize_cost(program));
+  EXPECT_LT((minimum - *posed.system.unconstrained_minimum(posed.u, posed.targets, {}))
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-12);
+}
+
 TEST(ConeProgram, AProgramCanFollowAnotherAndACopySolvesTheSame) {
   Posed posed(reference_problem("dirichlet"));
   ConeSolver copy = posed.system.solver;
