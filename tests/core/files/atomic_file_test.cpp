@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -37,6 +38,13 @@ TEST(AtomicFile, ReadsBackEveryByte) {
   write_file_atomically(folder / "a.bin", bytes);
   EXPECT_EQ(read_file(folder / "a.bin"), bytes);
   EXPECT_EQ(file_count(folder.path()), 1);
+}
+
+TEST(AtomicFile, WritesPartsOneAfterTheOther) {
+  const TemporaryFolder folder;
+  const std::string_view parts[] = {"one ", "", "two"};
+  write_file_atomically(folder / "a.txt", parts);
+  EXPECT_EQ(read_file(folder / "a.txt"), "one two");
 }
 
 TEST(AtomicFile, ReplacesTheWholeFileAndKeepsItsPermissions) {

@@ -74,6 +74,13 @@ TEST(MeshIo, WritesTextureCoordinatesInTheUnitSquare) {
   EXPECT_NE(text.find("\nf 1/1 2/2 5/5\n"), text.npos);
 }
 
+TEST(MeshIo, HasRoomForTheLongestNumbers) {
+  Points p(2, 1);
+  p << -2.2250738585072014e-308, -1.7976931348623157e+308;
+  EXPECT_EQ(obj_text(Triangles(3, 0), p),
+            "v -2.2250738585072014e-308 -1.7976931348623157e+308 0\n");
+}
+
 TEST(MeshIo, RefusesUnknownFormats) {
   EXPECT_EQ(error_of([] { read_mesh("a.stl"); }),
             "a.stl: not a known mesh format; use .obj, .off or .ply");
