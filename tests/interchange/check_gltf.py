@@ -20,7 +20,7 @@ SIZE = 512
 SCALE = 4  # samples a pixel in each direction
 MOST = 2.0  # grey levels in the mean over what either picture shows
 NOT_DRAWN = (255, 0, 255)  # as viewer.html says
-TRIES = 5  # Chromium takes its picture when its time is over, on a busy machine before the page has drawn
+TRIES = 5  # on a busy machine Chromium may take its picture of a page that has not drawn
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -79,7 +79,7 @@ def drawn_by_three(folder, modules, glb, time, view):
         image = picture_of_page(folder)[:SIZE * SCALE, :SIZE * SCALE]
         if (image != NOT_DRAWN).any():
             return image.reshape(SIZE, SCALE, SIZE, SCALE, 3).mean(axis=(1, 3))
-    sys.exit(f"{glb.name}: Chromium took {TRIES} pictures of a page that had not drawn yet; the machine is too busy")
+    sys.exit(f"{glb.name}: in {TRIES} pictures that Chromium took three.js had drawn nothing")
 
 
 def picture_of_page(folder):
