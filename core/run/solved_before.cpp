@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/run/adopted_pose.h"
+
 namespace foldless {
 namespace {
-
-/// Two rounds of a loop, before and after an edit.
-constexpr std::size_t kMostOfAMoment = 4;
 
 bool is_equal(const Snapshot* a, const Snapshot* b) {
   if (a == b) return true;
@@ -24,9 +23,19 @@ bool is_equal(const Snapshot* a, const Snapshot* b) {
 void SolvedBefore::add(const std::shared_ptr<const Snapshot>& before, std::vector<Handle> handles,
                        const SolvedFrame& frame) {
   if (find(frame.frame, before.get(), handles)) return;
-  std::deque<Entry>& of_moment = entries_[frame.frame];
-  of_moment.push_back({before, std::move(handles), frame});
-  if (of_moment.size() > kMostOfAMoment) of_moment.pop_front();
+  const std::size_t bytes = added_bytes(*frame.snapshot, before.get());
+  entries_[frame.frame].push_back({before, std::move(handles), frame, bytes});
+  added_.push_back(frame.frame);
+  bytes_ += bytes;
+  while (bytes_ > most_bytes_) remove_first();
+}
+
+void SolvedBefore::remove_first() {
+  const auto of_moment = entries_.find(added_.front());
+  added_.pop_front();
+  bytes_ -= of_moment->second.front().bytes;
+  of_moment->second.pop_front();
+  if (of_moment->second.empty()) entries_.erase(of_moment);
 }
 
 const SolvedFrame* SolvedBefore::find(double moment, const Snapshot* before,

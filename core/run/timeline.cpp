@@ -3,25 +3,9 @@
 
 #include <utility>
 
+#include "core/run/adopted_pose.h"
+
 namespace foldless {
-namespace {
-
-template <typename Array>
-std::size_t bytes_of(const Array& array) {
-  return static_cast<std::size_t>(array.size()) * sizeof(*array.data());
-}
-
-/// What a snapshot adds to the memory that the one before it takes.
-std::size_t added_bytes(const Snapshot& snapshot, const Snapshot* before) {
-  std::size_t bytes = sizeof(Snapshot) + bytes_of(snapshot.deformed) + bytes_of(snapshot.handles);
-  if (!before || before->triangles != snapshot.triangles) bytes += bytes_of(*snapshot.triangles);
-  if (!before || before->rest != snapshot.rest) bytes += bytes_of(*snapshot.rest);
-  if (!before || before->flipped_edges != snapshot.flipped_edges)
-    bytes += bytes_of(*snapshot.flipped_edges);
-  return bytes;
-}
-
-}  // namespace
 
 void Timeline::append(const Iteration& record, std::shared_ptr<const Snapshot> snapshot) {
   if (snapshot) {

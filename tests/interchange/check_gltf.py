@@ -19,6 +19,8 @@ from PIL import Image
 SIZE = 512
 SCALE = 4  # samples a pixel in each direction
 MOST = 2.0  # grey levels in the mean over what either picture shows
+NOT_DRAWN = (255, 0, 255)  # as viewer.html says
+TRIES = 5  # on a busy machine Chromium may take its picture of a page that has not drawn
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -73,6 +75,14 @@ def drawn_by_three(folder, modules, glb, time, view):
                        "MODULES": modules, "WIDTH": SIZE * SCALE, "HEIGHT": SIZE * SCALE, "TIME": time}.items():
         page = page.replace(f"@{key}@", str(value))
     (folder / "page.html").write_text(page)
+    for _ in range(TRIES):
+        image = picture_of_page(folder)[:SIZE * SCALE, :SIZE * SCALE]
+        if (image != NOT_DRAWN).any():
+            return image.reshape(SIZE, SCALE, SIZE, SCALE, 3).mean(axis=(1, 3))
+    sys.exit(f"{glb.name}: in {TRIES} pictures that Chromium took three.js had drawn nothing")
+
+
+def picture_of_page(folder):
     picture = folder / "three.png"
     subprocess.run(["chromium", "--headless=new", "--no-sandbox", "--hide-scrollbars",
                     "--allow-file-access-from-files", "--use-angle=swiftshader",
@@ -80,9 +90,7 @@ def drawn_by_three(folder, modules, glb, time, view):
                     "--virtual-time-budget=20000", f"--user-data-dir={folder}/profile",
                     f"--screenshot={picture}", f"file://{folder}/page.html"],
                    check=True, stderr=subprocess.DEVNULL, timeout=180)
-    image = numpy.asarray(Image.open(picture).convert("RGB"), dtype=float)
-    image = image[:SIZE * SCALE, :SIZE * SCALE]
-    return image.reshape(SIZE, SCALE, SIZE, SCALE, 3).mean(axis=(1, 3))
+    return numpy.asarray(Image.open(picture).convert("RGB"), dtype=float)
 
 
 def difference_on_shape(a, b):

@@ -145,30 +145,6 @@ TEST_F(Background, AChangeThatIsTakenBackSolvesNothingAnewInEitherRound) {
   expect_all_as_expected();
 }
 
-TEST(SolvedBefore, KnowsAFrameByAllThatItFollowsFrom) {
-  const auto snapshot = [](double x) {
-    auto made = std::make_shared<Snapshot>();
-    made->triangles = std::make_shared<const Triangles>(3, 0);
-    made->rest = std::make_shared<const Points>(Points::Zero(2, 1));
-    made->deformed = Points::Constant(2, 1, x);
-    return std::shared_ptr<const Snapshot>(made);
-  };
-  SolvedBefore solved;
-  const std::vector<Handle> here(1);
-  std::vector<Handle> there(1);
-  there[0].target = {1, 0};
-  const SolvedFrame frame{3, snapshot(5), true, ""};
-  solved.add(snapshot(4), here, frame);
-  ASSERT_TRUE(solved.find(3, snapshot(4).get(), here)) << "another object with the same bits";
-  EXPECT_EQ(solved.find(3, snapshot(4).get(), here)->snapshot, frame.snapshot);
-  EXPECT_FALSE(solved.find(3, snapshot(4).get(), there));
-  EXPECT_FALSE(solved.find(3, snapshot(4.5).get(), here));
-  EXPECT_FALSE(solved.find(3, nullptr, here));
-  EXPECT_FALSE(solved.find(2, snapshot(4).get(), here));
-  for (int i = 10; i < 20; ++i) solved.add(snapshot(i), here, frame);
-  EXPECT_FALSE(solved.find(3, snapshot(4).get(), here)) << "the latest few are kept";
-}
-
 TEST_F(Background, AnotherProblemBeginsAnew) {
   frames_.solve(wanted_);
   wait();
