@@ -2,38 +2,29 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/gui/directory.h"
+#include "app/gui/file_request.h"
 #include "app/gui/look.h"
 #include "app/gui/new_folder.h"
+#include "app/gui/portal.h"
 
 namespace foldless {
 
-/// A folder one click away.
-struct Place {
-  std::string label;
-  std::filesystem::path folder;
-};
-
-/// What the file browser is asked for.
-struct FileRequest {
-  enum class Purpose { open, save };
-  Purpose purpose = Purpose::open;
-  std::string title;
-  std::vector<std::string> extensions;  ///< `.json`; the first is added to a name that has none
-  std::filesystem::path start;          ///< folder, or suggested file
-  std::vector<Place> places;            ///< beside home
-  std::function<void(const std::filesystem::path&)> chosen;
-  std::function<void()> dismissed;  ///< may be empty
-};
-
-/// An own dialog for choosing a file: many Linux desktops have none. Typing filters the list; a
-/// typed path goes there; arrows, Enter, Backspace and Esc work without the mouse.
+/// Asks for a file: in the desktop's dialog where there is one, else in one of our own, as many
+/// Linux desktops have none. In ours typing filters the list; a typed path goes there; arrows,
+/// Enter, Backspace and Esc work without the mouse.
 class FileBrowser {
  public:
+  /// The desktop's dialog, which is used from now on where it is there; null: ours is.
+  void set_portal(Portal* portal) { portal_ = portal; }
+  /// The desktop's dialog is open: follow_portal() has to be called again soon.
+  bool is_elsewhere() const { return is_elsewhere_; }
+  /// Takes what the desktop's dialog says; true where it has ended.
+  bool follow_portal();
   void ask(FileRequest request);
   /// Asks the last request again, with the name as it was: the file could not be written. Says why.
   void ask_again(const std::string& problem);
@@ -45,6 +36,9 @@ class FileBrowser {
   void draw(const Look& look);
 
  private:
+  void show();
+  void take_answer(const PortalAnswer& answer);
+  void draw_elsewhere(const Look& look);
   void enter(const std::filesystem::path& folder);
   void accept();
   void accept_path(const std::filesystem::path& path);
@@ -80,6 +74,9 @@ class FileBrowser {
   std::string message_;              ///< why the last choice was refused
   std::filesystem::path replacing_;  ///< existing file that waits for a yes
   NewFolder new_folder_;
+  Portal* portal_ = nullptr;
+  std::optional<PortalAnswer> answer_;  ///< of the desktop's dialog, not yet dealt with
+  bool is_elsewhere_ = false;           ///< the desktop's dialog is open
   bool is_open_ = false;
   bool opens_now_ = false;
   bool wants_focus_ = false;

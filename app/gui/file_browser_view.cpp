@@ -16,6 +16,7 @@ namespace foldless {
 void FileBrowser::draw(const Look& look) {
   if (std::exchange(opens_now_, false)) ImGui::OpenPopup("##file browser");
   if (!is_open_) return;
+  if (is_elsewhere_) return draw_elsewhere(look);
   if (!begin_dialog("##file browser", look, ImVec2{780, 520})) return;
   const bool had_text = !text_.empty();
   const bool is_asking = !replacing_.empty();

@@ -35,7 +35,8 @@ namespace {
 
 /// ImGui lays out what it met for the first time one frame later, and popups two.
 constexpr int kSettlingFrames = 3;
-constexpr double kLookSeconds = 0.03;  ///< between looks at files read and written
+constexpr double kLookSeconds = 0.03;   ///< between looks at files read and written
+constexpr double kPortalSeconds = 0.1;  ///< between looks at what the desktop says
 
 /// The user's choice; until there is one, drawings are posed and meshes are studied.
 Workspace workspace_for(const Settings& settings, const Editor& editor) {
@@ -81,6 +82,7 @@ struct Ui::Parts {
   void connect_clipboard();
   void follow_appearance(const Editor& editor, float content_scale);
   void follow_settings(Editor& editor);
+  void follow_desktop();
   SidePanels panels(const Editor& editor) const;
 };
 
@@ -118,6 +120,12 @@ SidePanels Ui::Parts::panels(const Editor& editor) const {
 
 void Ui::Parts::follow_settings(Editor& editor) {
   if (settings_keeper.follow(state.settings, editor.messages())) settling = kSettlingFrames;
+}
+
+/// What the user chose in the desktop's dialog is news that no event tells.
+void Ui::Parts::follow_desktop() {
+  state.browser.set_portal(state.settings.uses_desktop_dialogs ? options.portal : nullptr);
+  if (state.browser.follow_portal()) settling = kSettlingFrames;
 }
 
 Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>(std::move(options))) {
@@ -158,6 +166,7 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   editor.view().options().theme = p.state.settings.theme;
   editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);
+  p.follow_desktop();
   const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
   const News news = news_of(editor);
   if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
@@ -268,6 +277,8 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
     if (due) next = std::max(0.0, std::min(next.value_or(*due - now), *due - now));
   if (parts_->has_thumbnails_to_make || is_exporting())
     next = std::min(next.value_or(1), kLookSeconds);
+  if (parts_->options.portal && parts_->options.portal->is_waiting())
+    next = std::min(next.value_or(1), kPortalSeconds);
   return next;
 }
 
