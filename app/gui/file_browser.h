@@ -19,12 +19,11 @@ namespace foldless {
 /// Enter, Backspace and Esc work without the mouse.
 class FileBrowser {
  public:
-  /// The desktop's dialog, which is used from now on where it is there; null: ours is.
-  void set_portal(Portal* portal) { portal_ = portal; }
-  /// The desktop's dialog is open: follow_portal() has to be called again soon.
-  bool is_elsewhere() const { return is_elsewhere_; }
-  /// Takes what the desktop's dialog says; true where it has ended.
-  bool follow_portal();
+  /// Once a frame: the way to the desktop's dialog, which is used from now on where it is there;
+  /// null: ours is. True where it has just ended.
+  bool follow(Portal* portal);
+  /// The desktop will say something: follow() has to be called again soon.
+  bool awaits_portal() const { return portal_ && portal_->is_waiting(); }
   void ask(FileRequest request);
   /// Asks the last request again, with the name as it was: the file could not be written. Says why.
   void ask_again(const std::string& problem);
@@ -56,12 +55,13 @@ class FileBrowser {
   void draw_entries(const Look& look);
   void draw_row(std::size_t row, const Look& look);
   void draw_nothing(const Look& look);
-  void draw_field(const Look& look);
+  void draw_field();
   void draw_footer(const Look& look);
   void draw_replace_question(const Look& look);
   void draw_new_folder(const Look& look);
   std::string footer_words() const;
 
+  const char* accept_words() const { return saves() ? "Save" : "Open"; }
   bool saves() const { return request_.purpose == FileRequest::Purpose::save; }
 
   FileRequest request_;

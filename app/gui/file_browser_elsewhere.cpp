@@ -10,7 +10,8 @@
 
 namespace foldless {
 
-bool FileBrowser::follow_portal() {
+bool FileBrowser::follow(Portal* portal) {
+  if (!is_elsewhere_) portal_ = portal;
   if (!portal_) return false;
   portal_->update();
   if (is_elsewhere_ && !answer_) answer_ = portal_->take_answer();
@@ -23,7 +24,7 @@ void FileBrowser::take_answer(const PortalAnswer& answer) {
   if (answer.kind == PortalAnswer::Kind::dismissed) return dismiss();
   if (answer.kind == PortalAnswer::Kind::failed) {
     show();
-    message_ = "The dialog of the desktop gave no file of this machine.";
+    message_ = "The desktop’s dialog gave no file of this machine; choose one here.";
     return;
   }
   request_.start = saves() ? with_extension(request_, answer.file) : answer.file;

@@ -156,8 +156,11 @@ std::string FileBrowser::footer_words() const {
   return "Arrows choose, Enter takes, Backspace goes up, Esc leaves.";
 }
 
-void FileBrowser::draw_field(const Look& look) {
-  ImGui::SetNextItemWidth(-look.px(150));
+/// As wide as the buttons beside it leave room.
+void FileBrowser::draw_field() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float words = ImGui::CalcTextSize(accept_words()).x + ImGui::CalcTextSize("Cancel").x;
+  ImGui::SetNextItemWidth(-(words + 4 * style.FramePadding.x + 2 * style.ItemSpacing.x));
   if (std::exchange(wants_focus_, false)) ImGui::SetKeyboardFocusHere();
   const bool is_edited =
       ImGui::InputTextWithHint("##text", saves() ? "Name of the file" : "Type to filter, or a path",
@@ -169,9 +172,9 @@ void FileBrowser::draw_field(const Look& look) {
 }
 
 void FileBrowser::draw_footer(const Look& look) {
-  draw_field(look);
+  draw_field();
   ImGui::SameLine();
-  const bool is_accepted = main_button(saves() ? "Save" : "Open", look);
+  const bool is_accepted = main_button(accept_words(), look);
   ImGui::SameLine();
   const bool is_dismissed = ImGui::Button("Cancel");
   ImGui::PushTextWrapPos(0);

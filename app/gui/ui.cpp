@@ -82,7 +82,6 @@ struct Ui::Parts {
   void connect_clipboard();
   void follow_appearance(const Editor& editor, float content_scale);
   void follow_settings(Editor& editor);
-  void follow_desktop();
   SidePanels panels(const Editor& editor) const;
 };
 
@@ -120,12 +119,6 @@ SidePanels Ui::Parts::panels(const Editor& editor) const {
 
 void Ui::Parts::follow_settings(Editor& editor) {
   if (settings_keeper.follow(state.settings, editor.messages())) settling = kSettlingFrames;
-}
-
-/// What the user chose in the desktop's dialog is news that no event tells.
-void Ui::Parts::follow_desktop() {
-  state.browser.set_portal(state.settings.uses_desktop_dialogs ? options.portal : nullptr);
-  if (state.browser.follow_portal()) settling = kSettlingFrames;
 }
 
 Ui::Ui(UiOptions options) : parts_(std::make_unique<Parts>(std::move(options))) {
@@ -166,13 +159,14 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   editor.view().options().theme = p.state.settings.theme;
   editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);
-  p.follow_desktop();
+  Portal* portal = p.state.settings.uses_desktop_dialogs ? p.options.portal : nullptr;
+  if (p.state.browser.follow(portal)) p.settling = kSettlingFrames;
   const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
-  const News news = news_of(editor);
-  if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order())
     carry_out(*job, editor, {p.scenes.canvas_renderer(), p.exports, p.state.browser});
   update_exports(p.exports, editor, p.state.browser, spec.time);
+  const News news = news_of(editor);
+  if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   const bool has_drawn = draw_frame(editor, spec);
   p.has_thumbnails_to_make = editor.document().is_empty() && p.thumbnails.update();
   remember(editor, p.state.settings);
@@ -277,8 +271,7 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
     if (due) next = std::max(0.0, std::min(next.value_or(*due - now), *due - now));
   if (parts_->has_thumbnails_to_make || is_exporting())
     next = std::min(next.value_or(1), kLookSeconds);
-  if (parts_->options.portal && parts_->options.portal->is_waiting())
-    next = std::min(next.value_or(1), kPortalSeconds);
+  if (parts_->state.browser.awaits_portal()) next = std::min(next.value_or(1), kPortalSeconds);
   return next;
 }
 
