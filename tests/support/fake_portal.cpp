@@ -32,7 +32,7 @@ constexpr const char* kConfiguration = R"(
 <busconfig>
   <type>session</type><listen>unix:tmpdir=/tmp</listen><auth>EXTERNAL</auth>
   <policy context="default">
-    <allow send_destination="*"/><allow receive_type="signal"/><allow own="*"/>
+    <allow send_destination="*"/><allow receive_sender="*"/><allow own="*"/>
   </policy>
 </busconfig>)";
 
