@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 # Loaded by name, when something is drawn.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS libosmesa6)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libgl1-mesa-dri, ffmpeg")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libglib2.0-0, ffmpeg")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "${FOLDLESS_PROMISE} The editor and the command line.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfoldless-dev)

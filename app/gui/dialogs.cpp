@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <imgui_internal.h>
+
 #include <string>
 
 #include "app/gui/dialog_focus.h"
@@ -98,6 +100,8 @@ void draw_dialogs(Editor& editor, const PanelContext& context) {
   draw_about(context);
   state.context_menu.draw(editor, context.look);
   draw_dialog_focus(context.look);
+  // Frames are drawn when something happens: a fade would stand still half way.
+  ImGui::GetCurrentContext()->DimBgRatio = ImGui::GetTopMostPopupModal() ? 1.0F : 0.0F;
 }
 
 }  // namespace foldless

@@ -13,7 +13,18 @@ namespace foldless {
 void FileBrowser::ask(FileRequest request) {
   request_ = std::move(request);
   ++asked_;
-  is_open_ = opens_now_ = true;
+  is_open_ = true;
+  is_elsewhere_ = portal_ && portal_->is_there();
+  answer_.reset();
+  if (is_elsewhere_)
+    portal_->ask(request_);
+  else
+    show();
+}
+
+void FileBrowser::show() {
+  is_elsewhere_ = false;
+  opens_now_ = true;
   text_ = saves() ? request_.start.filename().string() : "";
   std::error_code ignored;
   const auto start = std::filesystem::absolute(request_.start, ignored);
@@ -21,6 +32,7 @@ void FileBrowser::ask(FileRequest request) {
 }
 
 void FileBrowser::ask_again(const std::string& problem) {
+  is_elsewhere_ = false;
   is_open_ = opens_now_ = wants_focus_ = true;
   replacing_.clear();
   message_ = problem;
@@ -76,9 +88,7 @@ void FileBrowser::accept_path(const std::filesystem::path& path) {
     message_ = "There is no file “" + path.string() + "”.";
     return;
   }
-  auto file = path;
-  if (!file.has_extension() && !request_.extensions.empty())
-    file.replace_extension(request_.extensions.front());
+  const auto file = with_extension(request_, path);
   if (std::filesystem::exists(file, ignored))
     replacing_ = file;
   else
@@ -86,13 +96,13 @@ void FileBrowser::accept_path(const std::filesystem::path& path) {
 }
 
 void FileBrowser::finish(const std::filesystem::path& path) {
-  is_open_ = false;
+  is_open_ = is_elsewhere_ = false;
   ImGui::CloseCurrentPopup();
   if (request_.chosen) request_.chosen(path);
 }
 
 void FileBrowser::dismiss() {
-  is_open_ = false;
+  is_open_ = is_elsewhere_ = false;
   ImGui::CloseCurrentPopup();
   if (request_.dismissed) request_.dismissed();
 }

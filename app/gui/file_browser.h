@@ -2,38 +2,28 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/gui/directory.h"
+#include "app/gui/file_request.h"
 #include "app/gui/look.h"
 #include "app/gui/new_folder.h"
+#include "app/gui/portal.h"
 
 namespace foldless {
 
-/// A folder one click away.
-struct Place {
-  std::string label;
-  std::filesystem::path folder;
-};
-
-/// What the file browser is asked for.
-struct FileRequest {
-  enum class Purpose { open, save };
-  Purpose purpose = Purpose::open;
-  std::string title;
-  std::vector<std::string> extensions;  ///< `.json`; the first is added to a name that has none
-  std::filesystem::path start;          ///< folder, or suggested file
-  std::vector<Place> places;            ///< beside home
-  std::function<void(const std::filesystem::path&)> chosen;
-  std::function<void()> dismissed;  ///< may be empty
-};
-
-/// An own dialog for choosing a file: many Linux desktops have none. Typing filters the list; a
-/// typed path goes there; arrows, Enter, Backspace and Esc work without the mouse.
+/// Asks for a file: in the desktop's dialog where there is one, else in one of our own, as many
+/// Linux desktops have none. In ours typing filters the list; a typed path goes there; arrows,
+/// Enter, Backspace and Esc work without the mouse.
 class FileBrowser {
  public:
+  /// Once a frame: the way to the desktop's dialog, which is used from now on where it is there;
+  /// null: ours is. True where it has just ended.
+  bool follow(Portal* portal);
+  /// The desktop will say something: follow() has to be called again soon.
+  bool awaits_portal() const { return portal_ && portal_->is_waiting(); }
   void ask(FileRequest request);
   /// Asks the last request again, with the name as it was: the file could not be written. Says why.
   void ask_again(const std::string& problem);
@@ -45,6 +35,9 @@ class FileBrowser {
   void draw(const Look& look);
 
  private:
+  void show();
+  void take_answer(const PortalAnswer& answer);
+  void draw_elsewhere(const Look& look);
   void enter(const std::filesystem::path& folder);
   void accept();
   void accept_path(const std::filesystem::path& path);
@@ -62,12 +55,13 @@ class FileBrowser {
   void draw_entries(const Look& look);
   void draw_row(std::size_t row, const Look& look);
   void draw_nothing(const Look& look);
-  void draw_field(const Look& look);
+  void draw_field();
   void draw_footer(const Look& look);
   void draw_replace_question(const Look& look);
   void draw_new_folder(const Look& look);
   std::string footer_words() const;
 
+  const char* accept_words() const { return saves() ? "Save" : "Open"; }
   bool saves() const { return request_.purpose == FileRequest::Purpose::save; }
 
   FileRequest request_;
@@ -80,6 +74,9 @@ class FileBrowser {
   std::string message_;              ///< why the last choice was refused
   std::filesystem::path replacing_;  ///< existing file that waits for a yes
   NewFolder new_folder_;
+  Portal* portal_ = nullptr;
+  std::optional<PortalAnswer> answer_;  ///< of the desktop's dialog, not yet dealt with
+  bool is_elsewhere_ = false;           ///< the desktop's dialog is open
   bool is_open_ = false;
   bool opens_now_ = false;
   bool wants_focus_ = false;

@@ -16,6 +16,7 @@ namespace foldless {
 void FileBrowser::draw(const Look& look) {
   if (std::exchange(opens_now_, false)) ImGui::OpenPopup("##file browser");
   if (!is_open_) return;
+  if (is_elsewhere_) return draw_elsewhere(look);
   if (!begin_dialog("##file browser", look, ImVec2{780, 520})) return;
   const bool had_text = !text_.empty();
   const bool is_asking = !replacing_.empty();
@@ -155,8 +156,11 @@ std::string FileBrowser::footer_words() const {
   return "Arrows choose, Enter takes, Backspace goes up, Esc leaves.";
 }
 
-void FileBrowser::draw_field(const Look& look) {
-  ImGui::SetNextItemWidth(-look.px(150));
+/// As wide as the buttons beside it leave room.
+void FileBrowser::draw_field() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float words = ImGui::CalcTextSize(accept_words()).x + ImGui::CalcTextSize("Cancel").x;
+  ImGui::SetNextItemWidth(-(words + 4 * style.FramePadding.x + 2 * style.ItemSpacing.x));
   if (std::exchange(wants_focus_, false)) ImGui::SetKeyboardFocusHere();
   const bool is_edited =
       ImGui::InputTextWithHint("##text", saves() ? "Name of the file" : "Type to filter, or a path",
@@ -168,9 +172,9 @@ void FileBrowser::draw_field(const Look& look) {
 }
 
 void FileBrowser::draw_footer(const Look& look) {
-  draw_field(look);
+  draw_field();
   ImGui::SameLine();
-  const bool is_accepted = main_button(saves() ? "Save" : "Open", look);
+  const bool is_accepted = main_button(accept_words(), look);
   ImGui::SameLine();
   const bool is_dismissed = ImGui::Button("Cancel");
   ImGui::PushTextWrapPos(0);

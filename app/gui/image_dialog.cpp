@@ -163,9 +163,9 @@ void draw_image_dialog(Editor& editor, const PanelContext& context) {
   if (!begin_side_dialog("##image", is_open, context)) return;
   const Look& look = context.look;
   title_text("New from an image", look);
-  dim_text(editor.files().image_import().file().filename().string(), look);
   // In a low window the options scroll, the buttons stay.
   begin_controls("options", {0, -ImGui::GetFrameHeightWithSpacing()}, look);
+  dim_text(editor.files().image_import().file().filename().string(), look);
   draw_options(editor, look);
   ImGui::Spacing();
   draw_result(editor.files().image_import(), look);

@@ -39,14 +39,15 @@ InterfaceCommand choice(const Submenu& place, const ChoiceWords& words, Value Se
           [=](const UiState& state) { return state.settings.*setting == value; }};
 }
 
-/// A switch in the View menu.
+/// A switch in a menu.
 struct SwitchWords {
   std::string name, title;
   std::vector<Shortcut> shortcuts;
+  std::string_view menu = "View";
 };
 InterfaceCommand on_off(SwitchWords words, bool Settings::*setting) {
   return {std::move(words.name),
-          "View",
+          words.menu,
           "",
           std::move(words.title),
           std::move(words.shortcuts),
@@ -60,6 +61,11 @@ void add_autosave(std::vector<InterfaceCommand>& commands) {
         std::pair{"15 minutes", 900.0}, std::pair{"1 hour", 3600.0}})
     commands.push_back(choice(kAutosave, {title, std::to_string(static_cast<int>(seconds))},
                               &Settings::autosave_seconds, seconds));
+}
+
+void add_desktop(std::vector<InterfaceCommand>& commands) {
+  commands.push_back(on_off({"file.desktop_dialogs", "Dialogs of the desktop", {}, "File"},
+                            &Settings::uses_desktop_dialogs));
 }
 
 void add_look(std::vector<InterfaceCommand>& commands) {
@@ -157,6 +163,7 @@ const std::vector<InterfaceCommand>& interface_commands() {
   static const std::vector<InterfaceCommand> table = [] {
     std::vector<InterfaceCommand> commands;
     add_autosave(commands);
+    add_desktop(commands);
     add_look(commands);
     add_panels(commands);
     add_dialogs(commands);

@@ -29,12 +29,13 @@ Preview preview_of(const Recovery& recovery) {
   if (!recovery.problem().empty()) return {};
   if (!recovery.work()) return {.words = "Reading the copy…"};
   const Document& document = recovery.work()->document;
+  const bool is_mesh = document.texture.empty();  // of a drawing the picture alone is seen
   return {.words = counted(document.handles.size(), "handle"),
           .pose = document.pose,
           .image = recovery.texture_image().image(),
           .image_box = document.texture_box,
           .parts = document.parts,
-          .layers = {.wireframe = document.texture.empty()}};
+          .layers = {.wireframe = is_mesh, .boundary = is_mesh}};
 }
 
 }  // namespace

@@ -62,11 +62,13 @@ class Session {
   Session(const Settings& settings, const std::filesystem::path& state_folder,
           const std::filesystem::path& record)
       : window_("Foldless", {settings.window_width, settings.window_height}, settings.is_maximised),
+        portal_(record.empty() ? session_bus_address() : "", window_.portal_name()),
         editor_({.state_folder = state_folder, .wake = [this] { window_.wake(); }}),
         ui_({.state_folder = state_folder,
              .pictures_folder = pictures_folder(),
              .clipboard = [this] { return window_.clipboard(); },
-             .set_clipboard = [this](const std::string& text) { window_.set_clipboard(text); }}),
+             .set_clipboard = [this](const std::string& text) { window_.set_clipboard(text); },
+             .portal = &portal_}),
         log_(frame_log_file()),
         recorder_(record) {
     ui_.restore(editor_);
@@ -179,6 +181,7 @@ class Session {
 
   Clock clock_;
   Window window_;
+  Portal portal_;  ///< to nothing while a session is recorded: what it chose could not be replayed
   Editor editor_;
   Ui ui_;
   FrameLog log_;

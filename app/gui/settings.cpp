@@ -66,6 +66,7 @@ Settings load_settings(const std::filesystem::path& file) {
   read.boolean("artboard", settings.shows_artboard);
   read.boolean("squares", settings.shows_squares);
   read.boolean("rulers", settings.shows_rulers);
+  read.boolean("desktop_dialogs", settings.uses_desktop_dialogs);
   read.number("left_panel_width", settings.panel_widths.left, kNarrowestPanels.left,
               kWidestPanels.left);
   read.number("right_panel_width", settings.panel_widths.right, kNarrowestPanels.right,
@@ -102,6 +103,7 @@ std::string settings_text(const Settings& settings) {
                       {"artboard", settings.shows_artboard},
                       {"squares", settings.shows_squares},
                       {"rulers", settings.shows_rulers},
+                      {"desktop_dialogs", settings.uses_desktop_dialogs},
                       {"left_panel_width", settings.panel_widths.left},
                       {"right_panel_width", settings.panel_widths.right},
                       {"time_line_height", settings.time_line_height},

@@ -26,6 +26,7 @@ struct Settings {
   bool shows_artboard = true;  ///< the outline of a drawing's canvas
   bool shows_squares = false;  ///< grey ones, where a drawing is transparent
   bool shows_rulers = false;
+  bool uses_desktop_dialogs = true;  ///< for files, where the desktop has them
   PanelWidths panel_widths;
   double time_line_height = kTimeLineHeight;  ///< of its keys [design pixels]
   /// Absent: never chosen, it goes by what is open.

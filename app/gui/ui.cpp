@@ -35,7 +35,8 @@ namespace {
 
 /// ImGui lays out what it met for the first time one frame later, and popups two.
 constexpr int kSettlingFrames = 3;
-constexpr double kLookSeconds = 0.03;  ///< between looks at files read and written
+constexpr double kLookSeconds = 0.03;   ///< between looks at files read and written
+constexpr double kPortalSeconds = 0.1;  ///< between looks at what the desktop says
 
 /// The user's choice; until there is one, drawings are posed and meshes are studied.
 Workspace workspace_for(const Settings& settings, const Editor& editor) {
@@ -158,12 +159,14 @@ bool Ui::frame(Editor& editor, const FrameSpec& spec) {
   editor.view().options().theme = p.state.settings.theme;
   editor.files().autosave().set_interval(p.state.settings.autosave_seconds);
   editor.update(spec.time);
+  Portal* portal = p.state.settings.uses_desktop_dialogs ? p.options.portal : nullptr;
+  if (p.state.browser.follow(portal)) p.settling = kSettlingFrames;
   const bool has_opened = handle_requests(editor, p.state, p.options.pictures_folder);
-  const News news = news_of(editor);
-  if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   if (const auto job = p.state.exporting.take_order())
     carry_out(*job, editor, {p.scenes.canvas_renderer(), p.exports, p.state.browser});
   update_exports(p.exports, editor, p.state.browser, spec.time);
+  const News news = news_of(editor);
+  if (has_opened || news != std::exchange(p.news, news)) p.settling = kSettlingFrames;
   const bool has_drawn = draw_frame(editor, spec);
   p.has_thumbnails_to_make = editor.document().is_empty() && p.thumbnails.update();
   remember(editor, p.state.settings);
@@ -268,6 +271,7 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
     if (due) next = std::max(0.0, std::min(next.value_or(*due - now), *due - now));
   if (parts_->has_thumbnails_to_make || is_exporting())
     next = std::min(next.value_or(1), kLookSeconds);
+  if (parts_->state.browser.awaits_portal()) next = std::min(next.value_or(1), kPortalSeconds);
   return next;
 }
 

@@ -10,6 +10,7 @@
 #include "app/editor/editor.h"
 #include "app/gui/extent.h"
 #include "app/gui/layout.h"
+#include "app/gui/portal.h"
 #include "app/gui/settings.h"
 #include "app/gui/ui_event.h"
 
@@ -21,6 +22,7 @@ struct UiOptions {
   std::filesystem::path pictures_folder = {};  ///< for F12 while the scene has no file
   std::function<std::string()> clipboard = {};
   std::function<void(const std::string&)> set_clipboard = {};
+  Portal* portal = nullptr;  ///< to the desktop's file dialog; null: our own is used
 };
 
 /// The framebuffer of one frame.

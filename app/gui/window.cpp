@@ -5,7 +5,10 @@
 // glad comes first: it replaces the system's GL header.
 #include <GLFW/glfw3.h>
 
+#include <dlfcn.h>
+
 #include <cstdlib>
+#include <sstream>
 #include <utility>
 
 #include "app/gui/app_icon.h"
@@ -151,6 +154,16 @@ float Window::content_scale() const {
   float x = 1, y = 1;
   glfwGetWindowContentScale(window_, &x, &y);
   return x > 0 ? x : 1;
+}
+
+/// Only GLFW for X11 has the function, and which one is installed is known when we run.
+std::string Window::portal_name() const {
+  using WindowNumber = unsigned long (*)(GLFWwindow*);
+  const auto number = reinterpret_cast<WindowNumber>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
+  if (!number) return "";
+  std::ostringstream name;
+  name << "x11:" << std::hex << number(window_);
+  return name.str();
 }
 
 double Window::refresh_interval() const {

@@ -44,6 +44,8 @@ class Window {
   Extent framebuffer_size() const;  ///< pixels
   float content_scale() const;      ///< pixels in a design pixel that the desktop asks for
   bool is_maximised() const;
+  /// As portals name it, `x11:1a2b`; empty where it has no such name.
+  std::string portal_name() const;
   double refresh_interval() const;  ///< seconds between two pictures of the display
 
   void set_title(const std::string& title);

@@ -56,6 +56,17 @@ class DialogKeysTest : public testing::Test {
   HeadlessEditor headless_{{1000, 640}};
 };
 
+TEST_F(DialogKeysTest, WhatIsBehindADialogIsDarkAtOnceAndLightAtOnce) {
+  const Image light = headless_.picture();
+  headless_.key(Key::f1);
+  const Image dark = headless_.picture();
+  EXPECT_GT(differing_pixels(light, dark), 400000);
+  hold(Key::b);  // many frames
+  EXPECT_EQ(differing_pixels(dark, headless_.picture()), 0);
+  headless_.key(Key::escape);
+  EXPECT_EQ(differing_pixels(light, headless_.picture()), 0);
+}
+
 TEST_F(DialogKeysTest, EscapeClosesTheComboBoxThenTheRace) {
   open_race();
   headless_.calm_down();

@@ -175,6 +175,15 @@ TEST_F(FileBrowserTest, AnExportThatFailsAsksAgain) {
   EXPECT_TRUE(std::filesystem::exists(blocker / "shot.png"));
 }
 
+TEST_F(FileBrowserTest, WhatWasWrittenIsSaidOnScreenThoughNothingElseHappens) {
+  headless_.key(Key::e, kCtrl);
+  headless_.key(Key::enter);
+  ASSERT_TRUE(is_open());
+  retype(folder_ / "shot.png");
+  headless_.key(Key::enter);
+  EXPECT_TRUE(headless_.find_words("Wrote " + (folder_ / "shot.png").string()));
+}
+
 TEST_F(FileBrowserTest, APictureIsExportedInAnySize) {
   headless_.key(Key::e, kCtrl);
   const Vec2 width{399, 294}, height{481, 294};

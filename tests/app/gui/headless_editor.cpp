@@ -39,17 +39,23 @@ void HeadlessEditor::frame() {
 
 void HeadlessEditor::settle() {
   frame();
-  for (int i = 0; i < kManyFrames && ui_.next_frame(editor_, time_) == 0.0; ++i) frame();
+  draw_what_is_due();
   wait_for_file();
   expect_no_defects();
+}
+
+/// Frames that the interface asks for: as in a window, no more.
+void HeadlessEditor::draw_what_is_due() {
+  for (int i = 0; i < kManyFrames && ui_.next_frame(editor_, time_) == 0.0; ++i) frame();
 }
 
 /// Tests look at the file as soon as the keys for it were pressed.
 void HeadlessEditor::wait_for_file() {
   while (ui_.is_writing_a_file()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    for (int i = 0; i < 4; ++i) frame();  // what is said of it has its place then
+    frame();
   }
+  draw_what_is_due();
 }
 
 /// While something is solved lists grow from frame to frame, and ImGui learns how wide they are and

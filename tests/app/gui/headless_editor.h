@@ -70,6 +70,7 @@ class HeadlessEditor {
 
  private:
   void frame();
+  void draw_what_is_due();
   void wait_for_file();
   void expect_no_defects();
   void send(InputEvent event);

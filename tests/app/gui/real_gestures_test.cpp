@@ -3,6 +3,7 @@
 #include <array>
 
 #include "tests/app/gui/real_window.h"
+#include "tests/support/fake_portal.h"
 #include "tests/support/pictures.h"
 
 namespace foldless::test {
@@ -101,6 +102,31 @@ TEST_F(RealGestures, EscapeKeepsTheProgramAndTabLeadsToDiscard) {
   ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
   EXPECT_EQ(program_->status(), 0);
   EXPECT_EQ(nlohmann::json::parse(std::ifstream(scene_)).at("handles").size(), 2U);
+}
+
+TEST_F(RealGestures, TheDialogOfTheDesktopIsToldOfTheWindow) {
+  const PrivateBus bus;
+  if (bus.address().empty()) GTEST_SKIP() << "needs dbus-daemon (package dbus-daemon)";
+  setenv("DBUS_SESSION_BUS_ADDRESS", bus.address().c_str(), 1);
+  FakePortal desktop(bus.address());
+  const auto is_asked = [&] {
+    desktop.update();
+    return !desktop.calls().empty();
+  };
+  ASSERT_NO_FATAL_FAILURE(start_program());
+  wait_for(is_asked, 1s);  // the program learns that there is one
+  bool is_there = false;
+  for (int i = 0; i < 5 && !is_there; ++i) {
+    tool("key Escape sleep 0.2 key --clearmodifiers ctrl+shift+s");
+    is_there = wait_for(is_asked, 4s);
+  }
+  ASSERT_TRUE(is_there);
+  std::ostringstream window;
+  window << "('x11:" << std::hex << std::stoul(window_) << "', ";
+  EXPECT_NE(desktop.calls().front().find(window.str()), std::string::npos)
+      << desktop.calls().front();
+  desktop.answer(0, folder_ / "posed");
+  EXPECT_TRUE(wait_for([this] { return std::filesystem::exists(folder_ / "posed.json"); }, 20s));
 }
 
 TEST_F(RealGestures, TheWindowHasAnIcon) {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,6 +22,7 @@
 
 #include "core/mesh/injective.h"
 #include "core/scene/scene_io.h"
+#include "tests/support/child.h"
 
 namespace foldless::test {
 
@@ -31,38 +31,6 @@ using namespace std::chrono_literals;
 inline bool is_installed(const std::string& program) {
   return std::system(("command -v " + program + " > /dev/null 2>&1").c_str()) == 0;
 }
-
-/// A program that is ended with the test.
-class Child {
- public:
-  explicit Child(const std::vector<std::string>& words) {
-    pid_ = fork();
-    if (pid_ != 0) return;
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    execvp(arguments[0], arguments.data());
-    _exit(127);
-  }
-  ~Child() {
-    if (pid_ <= 0) return;
-    kill(pid_, SIGTERM);
-    waitpid(pid_, nullptr, 0);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  bool is_running() {
-    if (pid_ > 0 && waitpid(pid_, &status_, WNOHANG) == pid_) pid_ = -1;
-    return pid_ > 0;
-  }
-  int status() const { return status_; }
-  pid_t pid() const { return pid_; }
-
- private:
-  pid_t pid_ = -1;
-  int status_ = 0;
-};
 
 template <class Condition>
 bool wait_for(Condition condition, std::chrono::seconds most = 60s) {
@@ -93,6 +61,8 @@ class RealWindow : public testing::Test {
     folder_ = name;
     start_display();
     setenv("XDG_STATE_HOME", folder_.c_str(), 1);
+    // The dialogs of whose desktop this is would wait for a person.
+    setenv("DBUS_SESSION_BUS_ADDRESS", "disabled:", 1);
     // The X server's OpenGL driver is unloaded before leaks are looked for, so its own can neither
     // be named nor suppressed. The same interface is searched for leaks off screen.
     setenv("ASAN_OPTIONS", "detect_leaks=0", 1);

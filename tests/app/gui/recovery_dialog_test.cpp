@@ -5,8 +5,10 @@
 #include <chrono>
 #include <thread>
 
+#include "app/gui/preview.h"
 #include "tests/app/gui/headless_editor.h"
 #include "tests/support/meshes.h"
+#include "tests/support/pictures.h"
 #include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
@@ -16,11 +18,12 @@ class RecoveryDialog : public testing::Test {
  protected:
   EditorOptions options() const { return {.state_folder = folder_.path(), .wake = {}}; }
   /// Work of a program that has ended without being asked to.
-  void lose(int size, const std::string& name) {
+  void lose(int size, const std::string& name, const std::filesystem::path& texture = {}) {
     Editor editor(options());
     editor.view().resize(400, 400, 1);
     Fixture grid = square_grid(size);
     editor.files().open_shape(Shape{std::move(grid.triangles), std::move(grid.rest)}, name);
+    if (!texture.empty()) editor.files().set_texture(texture);
     const Vec2 at = editor.canvas().to_pixel(editor.shown()->deformed.col(0));
     editor.receive(PointerPressed{Button::left, at, {}}, 0);
     editor.receive(PointerReleased{Button::left, at, {}}, 0);
@@ -54,6 +57,14 @@ TEST_F(RecoveryDialog, ShowsTheWorkOnTheCanvasAndEnterTakesIt) {
   EXPECT_FALSE(recovery().is_open());
   EXPECT_EQ(editor().document().handles.size(), 1U);
   EXPECT_TRUE(editor().files().is_dirty());
+}
+
+TEST_F(RecoveryDialog, OfADrawingThePictureAloneIsSeen) {
+  write_ring(folder_ / "ring.png", 60);
+  lose(5, "drawing", folder_ / "ring.png");
+  start();
+  EXPECT_FALSE(preview_of(editor())->layers.boundary);
+  EXPECT_FALSE(preview_of(editor())->layers.wireframe);
 }
 
 TEST_F(RecoveryDialog, ArrowKeysChooseAmongSeveral) {

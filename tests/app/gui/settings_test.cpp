@@ -30,6 +30,7 @@ TEST_F(SettingsFile, ComesBackAsItWasWritten) {
   settings.shows_panels = false;
   settings.shows_artboard = false;
   settings.shows_rulers = true;
+  settings.uses_desktop_dialogs = false;
   settings.closed_sections = {"History", "Solver"};
   settings.pace = 12.5;
   settings.layers = Layers{.wireframe = false, .heat = true};
