@@ -21,8 +21,8 @@ bool does_way_matter(const std::vector<PrescribedRegion>& regions);
 using Solver = std::function<std::unique_ptr<SteppedMethod>(const Problem& problem)>;
 
 /// The last stage of a drag: its targets are solved once more from rest, in all the ways that are
-/// cheap, and that shape is gone over to unless its E Kᵉ is higher by more than a fiftieth. So what
-/// a hand leaves behind follows from where it is, not from the way on which it came there. `work`
+/// cheap, and that shape is gone over to unless its E Kᵉ is higher by more than 15 %. So what a
+/// hand leaves behind follows from where it is, not from the way on which it came there. `work`
 /// is what the drag ended with, `original` the triangles of the mesh at rest; see
 /// original_triangles(). Nothing happens on very large meshes.
 Steps<> start_anew(Workspace& work, const Problem& problem, const Triangles& original,
