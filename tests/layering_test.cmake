@@ -95,19 +95,20 @@ may_include("app/bench/.*" "${BASE}|core/.*|app/(bench|export)/.*")
 may_include("app/cli/.*" "${BASE}|<CLI/CLI\\.hpp>|<built_with\\.h>|core/.*|render/.*|app/(bench|export)/.*|app/(cli/.*|exit_status\\.h)")
 
 # 1. Libraries that one place alone sees.
-only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
+only_in("app/gui/glfw\\.h" "<GLFW/" "GLFW belongs to app/gui/glfw.h")
 only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui belongs to app/gui")
-only_in("app/gui/fallback_fonts\\.cpp" "<fontconfig/" "fontconfig belongs to fallback_fonts")
+only_in("app/gui/fontconfig\\.h" "<fontconfig/" "fontconfig belongs to app/gui/fontconfig.h")
 only_in("render/osmesa\\.h" "<GL/osmesa\\.h>" "OSMesa belongs to osmesa.h")
 only_in("core/linear/ordering\\.cpp" "<(amd|cholmod)\\.h>" "SuiteSparse belongs to ordering.cpp")
 only_in("core/linear/(dense_kernels_avx2|single_precision_solve)\\.cpp" "<immintrin\\.h>"
         "instructions of one processor belong to its kernels")
-only_in("core/data_path\\.cpp|render/osmesa\\.cpp" "<(dlfcn|link)\\.h>"
-        "the loader belongs to data_path.cpp and osmesa.cpp")
+only_in("core/data_path\\.cpp|render/late_function\\.cpp" "<(dlfcn|link)\\.h>"
+        "the loader belongs to data_path.cpp and late_function.cpp")
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")
 only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")
-only_in("app/export/vector_[a-z]+\\.(h|cpp)" "<cairo" "cairo belongs to the vector figures")
+only_in("app/export/cairo\\.h" "<cairo" "cairo belongs to app/export/cairo.h")
+only_in("render/layered/zip\\.h" "<zip\\.h>" "libzip belongs to render/layered/zip.h")
 only_in("app/cli/subcommands\\.h" "<CLI/" "CLI11 belongs to subcommands.h and who includes it")
 only_in("(core/(run|threads)|app/(bench|export|python))/.*"
         "std::j?thread([^a-z_:]|$)|std::async|pthread_create|#pragma omp"

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/window.h"
 
-#include <glad/gl.h>
-// glad comes first: it replaces the system's GL header.
-#include <GLFW/glfw3.h>
-
 #include <cstdlib>
 #include <utility>
 
 #include "app/gui/app_icon.h"
+#include "app/gui/glfw.h"
 #include "core/error.h"
 
 namespace foldless {
