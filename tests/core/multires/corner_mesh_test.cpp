@@ -52,7 +52,7 @@ class Judge : public OpenMesh::TriConnectivity {
   }
   void collapse_to(int v, int end) { collapse(find_halfedge(VertexHandle(v), VertexHandle(end))); }
   /// Empty: it has gone.
-  std::vector<int> corners_of(int t) const {
+  std::vector<int> face_of(int t) const {
     std::vector<int> corners;
     if (status(FaceHandle(t)).deleted()) return corners;
     for (auto v = cfv_iter(FaceHandle(t)); v.is_valid(); ++v) corners.push_back(v->idx());
@@ -70,7 +70,7 @@ std::vector<std::pair<int, bool>> ways_of(CornerMesh& mesh, int v) {
   return ways;
 }
 
-std::vector<int> corners_of(const CornerMesh& mesh, int t) {
+std::vector<int> face_of(const CornerMesh& mesh, int t) {
   if (mesh.is_face_gone(t)) return {};
   return {mesh.from(3 * t), mesh.from(3 * t + 1), mesh.from(3 * t + 2)};
 }
@@ -99,7 +99,7 @@ void compare_collapses(int cells, std::mt19937& random) {
       judge.collapse_to(v, end);
       collapse_to(mesh, v, end);
     }
-  for (int t = 0; t < mesh.face_count(); ++t) ASSERT_EQ(corners_of(mesh, t), judge.corners_of(t));
+  for (int t = 0; t < mesh.face_count(); ++t) ASSERT_EQ(face_of(mesh, t), judge.face_of(t));
 }
 
 TEST(CornerMesh, CollapsesAsOpenMeshDoesAndMeetsNeighboursInItsOrder) {
