@@ -107,7 +107,7 @@ only_in("core/data_path\\.cpp|render/late_function\\.cpp" "<(dlfcn|link)\\.h>"
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")
 only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")
-only_in("app/export/cairo\\.h" "<cairo" "cairo belongs to app/export/cairo.h")
+only_in("app/export/cairo\\.h" "<cairo(-pdf|-svg)?\\.h>" "cairo belongs to app/export/cairo.h")
 only_in("render/layered/zip\\.h" "<zip\\.h>" "libzip belongs to render/layered/zip.h")
 only_in("app/cli/subcommands\\.h" "<CLI/" "CLI11 belongs to subcommands.h and who includes it")
 only_in("(core/(run|threads)|app/(bench|export|python))/.*"
