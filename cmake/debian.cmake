@@ -26,8 +26,8 @@ to be locally injective.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME foldless)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-# Loaded by name, when something is drawn.
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS libosmesa6)
+# Loaded by name, where they are used.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libcairo2, libfontconfig1, libglfw3, libosmesa6, libzip4")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libglib2.0-0, ffmpeg")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "${FOLDLESS_PROMISE} The editor and the command line.")
 
@@ -46,7 +46,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), \
-python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy, libosmesa6")
+python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy, libcairo2, libosmesa6, libzip4")
 # The compiled files that Python makes come and go with the package.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     "${PROJECT_SOURCE_DIR}/cmake/packaging/postinst;${PROJECT_SOURCE_DIR}/cmake/packaging/prerm")

@@ -13,7 +13,7 @@ namespace foldless {
 namespace {
 
 struct DestroyContext {
-  void operator()(OSMesaContext context) const { osmesa().destroy_context(context); }
+  void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
 };
 using ContextPointer = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, DestroyContext>;
 
@@ -27,7 +27,7 @@ ContextPointer make_context() {
                                            OSMESA_CONTEXT_MINOR_VERSION,
                                            3,
                                            0};
-  ContextPointer context(osmesa().create_context_attribs(kAttributes.data(), nullptr));
+  ContextPointer context(OSMesaCreateContextAttribs(kAttributes.data(), nullptr));
   if (!context)
     throw Error("OSMesa refuses an OpenGL 3.3 context; install libosmesa6 of Mesa 20 on");
   return context;
@@ -50,15 +50,15 @@ Offscreen::Offscreen(int width, int height, int samples) : context_(std::make_un
 }
 
 Offscreen::~Offscreen() {
-  osmesa().make_current(context_->mesa.get(), context_->window.data(), GL_UNSIGNED_BYTE, 1, 1);
+  OSMesaMakeCurrent(context_->mesa.get(), context_->window.data(), GL_UNSIGNED_BYTE, 1, 1);
   context_->target.reset();
-  osmesa().make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+  OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
 }
 
 void Offscreen::make_current() {
-  if (!osmesa().make_current(context_->mesa.get(), context_->window.data(), GL_UNSIGNED_BYTE, 1, 1))
+  if (!OSMesaMakeCurrent(context_->mesa.get(), context_->window.data(), GL_UNSIGNED_BYTE, 1, 1))
     throw Error("OSMesa cannot make its OpenGL context current");
-  if (gladLoadGL(osmesa().get_proc_address) == 0)
+  if (gladLoadGL(OSMesaGetProcAddress) == 0)
     throw Error("OSMesa offers no OpenGL 3.3; install libosmesa6 of Mesa 20 on");
 }
 

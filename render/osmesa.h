@@ -5,19 +5,24 @@
 // OSMesa's header brings in GL's own declarations, which glad.h has already taken the place of.
 #include <GL/osmesa.h>
 
+#include "render/late_function.h"
+
 namespace foldless {
 
-/// The functions of OSMesa that Offscreen calls, by OSMesa's names.
-struct OsMesa {
-  decltype(&OSMesaCreateContextAttribs) create_context_attribs;
-  decltype(&OSMesaDestroyContext) destroy_context;
-  decltype(&OSMesaMakeCurrent) make_current;
-  decltype(&OSMesaGetProcAddress) get_proc_address;
-};
+/// The functions of OSMesa that Offscreen calls; within this namespace they stand before OSMesa's
+/// declarations. It brings LLVM with it.
+inline constexpr LateLibrary kOsMesa{"libOSMesa.so.8", "pictures cannot be drawn", "libosmesa6"};
 
-/// OSMesa, loaded when it is first asked for and kept until the process ends: it brings LLVM with
-/// it, which takes longer to start than a small scene takes to solve. Throws Error when it is not
-/// installed. Any thread.
-const OsMesa& osmesa();
+// NOLINTBEGIN(readability-identifier-naming): the library's own names
+#define FOLDLESS_LATE(name) \
+  inline constinit const LateFunction<decltype(::name)> name(kOsMesa, #name)
+
+FOLDLESS_LATE(OSMesaCreateContextAttribs);
+FOLDLESS_LATE(OSMesaDestroyContext);
+FOLDLESS_LATE(OSMesaGetProcAddress);
+FOLDLESS_LATE(OSMesaMakeCurrent);
+
+#undef FOLDLESS_LATE
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace foldless

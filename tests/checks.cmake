@@ -94,8 +94,8 @@ endif()
 
 # Sanitizers come with a runtime of their own.
 if(NOT FOLDLESS_SANITIZE)
-  add_test(NAME Mesa.IsLoadedWhereSomethingIsDrawn
-           COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/mesa_test.sh $<TARGET_FILE:foldless>
+  add_test(NAME LateLibraries.AreLoadedWhereTheyAreUsed
+           COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/late_libraries_test.sh $<TARGET_FILE:foldless>
                    ${PROJECT_SOURCE_DIR}/assets)
   set(libraries "")
   foreach(library mesh files linear cone energy solve remesh multires construct scene method run)

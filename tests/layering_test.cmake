@@ -89,26 +89,27 @@ may_include("render/.*" "${PLAIN}|${RENDER_OF_CORE}|render/.*|${GRAPHICS}|${IMAG
 set(EDITOR "${BASE}|<glm/.*>|core/.*|render/(camera|image|layered/layered_image|texture_levels|texture_pieces|view_options)\\.h|app/editor/.*")
 may_include("app/editor/.*" "${EDITOR}")
 may_include("app/export/.*" "${BASE}|<glm/.*>|<cairo(-pdf|-svg)?\\.h>|${IMAGE_CODECS}|core/.*|render/.*|app/export/.*")
-may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|app/exit_status\\.h|<(dlfcn|gio/gio|glad/gl|imgui.*|GLFW/glfw3|fontconfig/.*)\\.h>")
+may_include("app/gui/.*" "${EDITOR}|render/.*|app/(gui|export)/.*|app/exit_status\\.h|<(gio/gio|glad/gl|imgui.*|GLFW/glfw3|fontconfig/.*)\\.h>")
 may_include("app/python/.*" "${BASE}|<foldless/[a-z]+\\.h>|<pybind11/[a-z0-9/]+\\.h>|core/.*|render/.*|app/(export|python)/.*")
 may_include("app/bench/.*" "${BASE}|core/.*|app/(bench|export)/.*")
 may_include("app/cli/.*" "${BASE}|<CLI/CLI\\.hpp>|<built_with\\.h>|core/.*|render/.*|app/(bench|export)/.*|app/(cli/.*|exit_status\\.h)")
 
 # 1. Libraries that one place alone sees.
-only_in("app/(gui/.*|main\\.cpp)" "<GLFW/" "GLFW belongs to app/gui and main")
+only_in("app/gui/glfw\\.h" "<GLFW/" "GLFW belongs to app/gui/glfw.h")
 only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui belongs to app/gui")
-only_in("app/gui/fallback_fonts\\.cpp" "<fontconfig/" "fontconfig belongs to fallback_fonts")
+only_in("app/gui/fontconfig\\.h" "<fontconfig/" "fontconfig belongs to app/gui/fontconfig.h")
 only_in("render/osmesa\\.h" "<GL/osmesa\\.h>" "OSMesa belongs to osmesa.h")
 only_in("core/linear/ordering\\.cpp" "<(amd|cholmod)\\.h>" "SuiteSparse belongs to ordering.cpp")
 only_in("core/linear/(dense_kernels_avx2|single_precision_solve)\\.cpp" "<immintrin\\.h>"
         "instructions of one processor belong to its kernels")
 only_in("app/gui/gio\\.h" "<gio/" "GIO belongs to gio.h")
-only_in("core/data_path\\.cpp|render/osmesa\\.cpp|app/gui/(gio|window)\\.cpp" "<(dlfcn|link)\\.h>"
-        "the loader belongs to data_path.cpp, osmesa.cpp, gio.cpp and window.cpp")
+only_in("core/data_path\\.cpp|render/late_function\\.cpp" "<(dlfcn|link)\\.h>"
+        "the loader belongs to data_path.cpp and late_function.cpp")
 only_in("core/(construct/delaunay|mesh/orientation|files/ply_reader|outline/(simplify|triangulate))\\.cpp"
         "<CGAL/" "CGAL belongs to five files")
 only_in("core/motion/moving_corner\\.cpp" "<gmp" "GMP belongs to moving_corner.cpp")
-only_in("app/export/vector_[a-z]+\\.(h|cpp)" "<cairo" "cairo belongs to the vector figures")
+only_in("app/export/cairo\\.h" "<cairo(-pdf|-svg)?\\.h>" "cairo belongs to app/export/cairo.h")
+only_in("render/layered/zip\\.h" "<zip\\.h>" "libzip belongs to render/layered/zip.h")
 only_in("app/cli/subcommands\\.h" "<CLI/" "CLI11 belongs to subcommands.h and who includes it")
 only_in("(core/(run|threads)|app/(bench|export|python))/.*"
         "std::j?thread([^a-z_:]|$)|std::async|pthread_create|#pragma omp"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export/vector_file.h"
 
-#include <cairo-pdf.h>
-#include <cairo-svg.h>
-
 #include <cctype>
 #include <map>
 #include <string_view>

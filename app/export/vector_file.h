@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cairo.h>
-
 #include <memory>
 #include <string>
 
+#include "app/export/cairo.h"
 #include "app/export/vector_figure.h"
 #include "render/image.h"
 

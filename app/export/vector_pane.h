@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cairo.h>
-
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include "app/export/cairo.h"
 #include "app/export/polygon_clip.h"
 #include "render/camera.h"
 #include "render/line_style.h"

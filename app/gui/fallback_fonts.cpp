@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/fallback_fonts.h"
 
-#include <fontconfig/fontconfig.h>
-
 #include <memory>
+
+#include "app/gui/fontconfig.h"
 
 namespace foldless {
 namespace {
 
 /// Deletes what fontconfig gave away, by its own function for each type.
-template <auto Destroy>
+template <const auto& Destroy>
 struct Destroyer {
   template <typename T>
   void operator()(T* given) const {

@@ -30,24 +30,24 @@ struct BusCall {
 };
 
 /// The file that a response names; failed where it names none of this machine.
-PortalAnswer answer_of(const Gio& gio, GVariant* response) {
-  if (!gio.is_of_type(response, variant_type("(ua{sv})"))) return {};
+PortalAnswer answer_of(GVariant* response) {
+  if (!g_variant_is_of_type(response, variant_type("(ua{sv})"))) return {};
   guint32 code = 0;
   GVariant* results = nullptr;
-  gio.variant_get(response, "(u@a{sv})", &code, &results);
+  g_variant_get(response, "(u@a{sv})", &code, &results);
   PortalAnswer answer;
   if (code == response_dismissed) answer.kind = PortalAnswer::Kind::dismissed;
-  GVariant* uris = gio.lookup_value(results, "uris", variant_type("as"));
-  if (code == response_chosen && uris && gio.n_children(uris) > 0) {
-    GVariant* uri = gio.child_value(uris, 0);
-    if (char* file = gio.filename_from_uri(gio.get_string(uri, nullptr), nullptr, nullptr)) {
+  GVariant* uris = g_variant_lookup_value(results, "uris", variant_type("as"));
+  if (code == response_chosen && uris && g_variant_n_children(uris) > 0) {
+    GVariant* uri = g_variant_get_child_value(uris, 0);
+    if (char* file = g_filename_from_uri(g_variant_get_string(uri, nullptr), nullptr, nullptr)) {
       answer = {PortalAnswer::Kind::chosen, file};
-      gio.free(file);
+      g_free(file);
     }
-    gio.variant_unref(uri);
+    g_variant_unref(uri);
   }
-  if (uris) gio.variant_unref(uris);
-  gio.variant_unref(results);
+  if (uris) g_variant_unref(uris);
+  g_variant_unref(results);
   return answer;
 }
 
@@ -56,7 +56,7 @@ PortalAnswer answer_of(const Gio& gio, GVariant* response) {
 /// The connection to the bus. GIO calls back within update() alone: a main context of our own
 /// dispatches everything, and nothing is called once that is gone.
 struct Portal::Bus {
-  Bus(const Gio& functions, const std::string& address, std::string window);
+  Bus(const std::string& address, std::string window);
   ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
@@ -64,9 +64,9 @@ struct Portal::Bus {
   /// Runs what will call back.
   template <class Action>
   void begin(const Action& action) {
-    gio.main_context_push_thread_default(context);
+    g_main_context_push_thread_default(context);
     action();
-    gio.main_context_pop_thread_default(context);
+    g_main_context_pop_thread_default(context);
   }
   void call(const BusCall& call, GAsyncReadyCallback then, void* user);
   void look_for_portal();
@@ -81,7 +81,6 @@ struct Portal::Bus {
     std::string path;
   };
 
-  const Gio& gio;
   GMainContext* context;
   GDBusConnection* connection = nullptr;
   std::string parent_window;
@@ -93,29 +92,32 @@ struct Portal::Bus {
   std::optional<PortalAnswer> answer;
 };
 
-Portal::Bus::Bus(const Gio& functions, const std::string& address, std::string window)
-    : gio(functions), context(gio.main_context_new()), parent_window(std::move(window)) {
+Portal::Bus::Bus(const std::string& address, std::string window)
+    : context(g_main_context_new()), parent_window(std::move(window)) {
   const auto connected = [](GObject*, GAsyncResult* result, gpointer user) {
     Bus& bus = *static_cast<Bus*>(user);
-    bus.connection = bus.gio.connect_finish(result, nullptr);
+    bus.connection = g_dbus_connection_new_for_address_finish(result, nullptr);
     bus.is_looking = bus.connection != nullptr;
     if (bus.is_looking) bus.look_for_portal();
   };
   constexpr auto kFlags =
       static_cast<GDBusConnectionFlags>(G_DBUS_CONNECTION_FLAGS_AUTHENTICATION_CLIENT |
                                         G_DBUS_CONNECTION_FLAGS_MESSAGE_BUS_CONNECTION);
-  begin([&] { gio.connect(address.c_str(), kFlags, nullptr, nullptr, connected, this); });
+  begin([&] {
+    g_dbus_connection_new_for_address(address.c_str(), kFlags, nullptr, nullptr, connected, this);
+  });
 }
 
 Portal::Bus::~Bus() {
-  if (connection) gio.object_unref(connection);
-  gio.main_context_unref(context);
+  if (connection) g_object_unref(connection);
+  g_main_context_unref(context);
 }
 
 void Portal::Bus::call(const BusCall& call, GAsyncReadyCallback then, void* user) {
   begin([&] {
-    gio.call(connection, kPortalName, call.path, call.interface, call.method, call.arguments,
-             nullptr, G_DBUS_CALL_FLAGS_NONE, kUsualTimeout, nullptr, then, user);
+    g_dbus_connection_call(connection, kPortalName, call.path, call.interface, call.method,
+                           call.arguments, nullptr, G_DBUS_CALL_FLAGS_NONE, kUsualTimeout, nullptr,
+                           then, user);
   });
 }
 
@@ -124,13 +126,13 @@ void Portal::Bus::look_for_portal() {
   const auto answered = [](GObject*, GAsyncResult* result, gpointer user) {
     Bus& bus = *static_cast<Bus*>(user);
     bus.is_looking = false;
-    GVariant* version = bus.gio.call_finish(bus.connection, result, nullptr);
+    GVariant* version = g_dbus_connection_call_finish(bus.connection, result, nullptr);
     if (!version) return;
     bus.is_there = true;
-    bus.gio.variant_unref(version);
+    g_variant_unref(version);
   };
   call({kPortalPath, "org.freedesktop.DBus.Properties", "Get",
-        gio.variant_new("(ss)", kFileChooser, "version")},
+        g_variant_new("(ss)", kFileChooser, "version")},
        answered, this);
   notice_its_end();
 }
@@ -141,12 +143,13 @@ void Portal::Bus::notice_its_end() {
                           GVariant* names, gpointer user) {
     Bus& bus = *static_cast<Bus*>(user);
     const char* owner = nullptr;
-    bus.gio.variant_get(names, "(&s&s&s)", nullptr, nullptr, &owner);
+    g_variant_get(names, "(&s&s&s)", nullptr, nullptr, &owner);
     if (*owner == '\0' && !bus.open.empty()) bus.end({});
   };
   begin([&] {
-    gio.subscribe(connection, kBusName, kBusName, "NameOwnerChanged", "/org/freedesktop/DBus",
-                  kPortalName, G_DBUS_SIGNAL_FLAGS_NONE, changed, this, nullptr);
+    g_dbus_connection_signal_subscribe(connection, kBusName, kBusName, "NameOwnerChanged",
+                                       "/org/freedesktop/DBus", kPortalName,
+                                       G_DBUS_SIGNAL_FLAGS_NONE, changed, this, nullptr);
   });
 }
 
@@ -154,21 +157,21 @@ void Portal::Bus::notice_its_end() {
 /// from who asks and what they call it.
 void Portal::Bus::ask(const FileRequest& request) {
   const std::string token = "foldless" + std::to_string(asked.size());
-  std::string sender = gio.unique_name(connection) + 1;  // without its colon
+  std::string sender = g_dbus_connection_get_unique_name(connection) + 1;  // without its colon
   std::ranges::replace(sender, '.', '_');
   open = std::string(kPortalPath) + "/request/" + sender + "/" + token;
   asked.push_back({*this, open});
   await_response();
   const auto returned = [](GObject*, GAsyncResult* result, gpointer user) {
     const auto& [bus, path] = *static_cast<Asked*>(user);
-    if (GVariant* handle = bus.gio.call_finish(bus.connection, result, nullptr))
-      bus.gio.variant_unref(handle);
+    if (GVariant* handle = g_dbus_connection_call_finish(bus.connection, result, nullptr))
+      g_variant_unref(handle);
     else if (bus.open == path)
       bus.end({});
   };
   const bool saves = request.purpose == FileRequest::Purpose::save;
   call({kPortalPath, kFileChooser, saves ? "SaveFile" : "OpenFile",
-        portal_arguments(gio, request, {parent_window, token})},
+        portal_arguments(request, {parent_window, token})},
        returned, &asked.back());
 }
 
@@ -176,23 +179,24 @@ void Portal::Bus::await_response() {
   const auto responded = [](GDBusConnection*, const char*, const char*, const char*, const char*,
                             GVariant* given, gpointer user) {
     Bus& bus = *static_cast<Bus*>(user);
-    bus.end(answer_of(bus.gio, given));
+    bus.end(answer_of(given));
   };
   begin([&] {
-    response = gio.subscribe(connection, kPortalName, kRequest, "Response", open.c_str(), nullptr,
-                             G_DBUS_SIGNAL_FLAGS_NONE, responded, this, nullptr);
+    response = g_dbus_connection_signal_subscribe(connection, kPortalName, kRequest, "Response",
+                                                  open.c_str(), nullptr, G_DBUS_SIGNAL_FLAGS_NONE,
+                                                  responded, this, nullptr);
   });
 }
 
 void Portal::Bus::end(PortalAnswer given) {
-  gio.unsubscribe(connection, response);
+  g_dbus_connection_signal_unsubscribe(connection, response);
   open.clear();
   answer = std::move(given);
 }
 
 Portal::Portal(const std::string& address, std::string parent_window) {
-  if (!address.empty() && gio())
-    bus_ = std::make_unique<Bus>(*gio(), address, std::move(parent_window));
+  if (!address.empty() && is_installed(kGio))
+    bus_ = std::make_unique<Bus>(address, std::move(parent_window));
 }
 
 /// A portal closes what was asked by those who leave the bus.
@@ -200,7 +204,7 @@ Portal::~Portal() = default;
 
 void Portal::update() {
   if (!bus_) return;
-  while (bus_->gio.main_context_iteration(bus_->context, FALSE)) continue;
+  while (g_main_context_iteration(bus_->context, FALSE)) continue;
 }
 
 bool Portal::is_waiting() const { return bus_ && (bus_->is_looking || !bus_->open.empty()); }

@@ -25,48 +25,47 @@ std::string filter_name(const std::vector<std::string>& extensions) {
 }
 
 /// Cameras write `.JPG`, and patterns know upper from lower case.
-GVariant* filters(const Gio& gio, const std::vector<std::string>& extensions) {
+GVariant* filters(const std::vector<std::string>& extensions) {
   GVariantBuilder all;
-  gio.builder_init(&all, variant_type("a(sa(us))"));
-  gio.builder_open(&all, variant_type("(sa(us))"));
-  gio.builder_add(&all, "s", filter_name(extensions).c_str());
-  gio.builder_open(&all, variant_type("a(us)"));
+  g_variant_builder_init(&all, variant_type("a(sa(us))"));
+  g_variant_builder_open(&all, variant_type("(sa(us))"));
+  g_variant_builder_add(&all, "s", filter_name(extensions).c_str());
+  g_variant_builder_open(&all, variant_type("a(us)"));
   for (const std::string& extension : extensions)
     for (const std::string& pattern : {"*" + extension, "*" + in_capitals(extension)})
-      gio.builder_add(&all, "(us)", kGlob, pattern.c_str());
-  gio.builder_close(&all);
-  gio.builder_close(&all);
-  gio.builder_open(&all, variant_type("(sa(us))"));
-  gio.builder_add(&all, "s", "All files");
-  gio.builder_open(&all, variant_type("a(us)"));
-  gio.builder_add(&all, "(us)", kGlob, "*");
-  gio.builder_close(&all);
-  gio.builder_close(&all);
-  return gio.builder_end(&all);
+      g_variant_builder_add(&all, "(us)", kGlob, pattern.c_str());
+  g_variant_builder_close(&all);
+  g_variant_builder_close(&all);
+  g_variant_builder_open(&all, variant_type("(sa(us))"));
+  g_variant_builder_add(&all, "s", "All files");
+  g_variant_builder_open(&all, variant_type("a(us)"));
+  g_variant_builder_add(&all, "(us)", kGlob, "*");
+  g_variant_builder_close(&all);
+  g_variant_builder_close(&all);
+  return g_variant_builder_end(&all);
 }
 
 }  // namespace
 
-GVariant* portal_arguments(const Gio& gio, const FileRequest& request, const PortalCaller& caller) {
+GVariant* portal_arguments(const FileRequest& request, const PortalCaller& caller) {
   const bool saves = request.purpose == FileRequest::Purpose::save;
   std::error_code ignored;
   const auto start = std::filesystem::absolute(request.start, ignored);
   const std::string folder = (saves ? start.parent_path() : start).string();
   const std::string name = start.filename().string();
   GVariantBuilder options;
-  gio.builder_init(&options, variant_type("a{sv}"));
+  g_variant_builder_init(&options, variant_type("a{sv}"));
   const auto add = [&](const char* key, GVariant* value) {
-    gio.builder_add(&options, "{sv}", key, value);
+    g_variant_builder_add(&options, "{sv}", key, value);
   };
-  add("handle_token", gio.variant_new("s", caller.token.c_str()));
-  add("modal", gio.variant_new("b", gboolean{TRUE}));
-  if (!request.extensions.empty()) add("filters", filters(gio, request.extensions));
-  add("current_folder", gio.variant_new_bytestring(folder.c_str()));
+  add("handle_token", g_variant_new("s", caller.token.c_str()));
+  add("modal", g_variant_new("b", gboolean{TRUE}));
+  if (!request.extensions.empty()) add("filters", filters(request.extensions));
+  add("current_folder", g_variant_new_bytestring(folder.c_str()));
   // A D-Bus text is UTF-8, which names of files need not be.
-  if (saves && gio.utf8_validate(name.c_str(), -1, nullptr))
-    add("current_name", gio.variant_new("s", name.c_str()));
-  return gio.variant_new("(ssa{sv})", caller.parent_window.c_str(), request.title.c_str(),
-                         &options);
+  if (saves && g_utf8_validate(name.c_str(), -1, nullptr))
+    add("current_name", g_variant_new("s", name.c_str()));
+  return g_variant_new("(ssa{sv})", caller.parent_window.c_str(), request.title.c_str(), &options);
 }
 
 }  // namespace foldless

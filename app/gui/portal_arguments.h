@@ -16,6 +16,6 @@ struct PortalCaller {
 
 /// The arguments of OpenFile and SaveFile, (ssa{sv}), floating as all of GLib's new variants:
 /// whoever calls with them owns them.
-GVariant* portal_arguments(const Gio& gio, const FileRequest& request, const PortalCaller& caller);
+GVariant* portal_arguments(const FileRequest& request, const PortalCaller& caller);
 
 }  // namespace foldless

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/window.h"
 
-#include <glad/gl.h>
-// glad comes first: it replaces the system's GL header.
-#include <GLFW/glfw3.h>
-
-#include <dlfcn.h>
-
 #include <cstdlib>
 #include <sstream>
 #include <utility>
 
 #include "app/gui/app_icon.h"
+#include "app/gui/glfw.h"
 #include "core/error.h"
 
 namespace foldless {
@@ -159,7 +154,7 @@ float Window::content_scale() const {
 /// Only GLFW for X11 has the function, and which one is installed is known when we run.
 std::string Window::portal_name() const {
   using WindowNumber = unsigned long (*)(GLFWwindow*);
-  const auto number = reinterpret_cast<WindowNumber>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
+  const auto number = reinterpret_cast<WindowNumber>(look_for_function(kGlfw, "glfwGetX11Window"));
   if (!number) return "";
   std::ostringstream name;
   name << "x11:" << std::hex << number(window_);

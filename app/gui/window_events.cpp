@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/window_events.h"
 
-#include <GLFW/glfw3.h>
-
 #include <optional>
+
+#include "app/gui/glfw.h"
 
 namespace foldless {
 namespace {

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/multires/corner_mesh.h"
+
 namespace foldless {
 namespace {
-
-using OpenMesh::HalfedgeHandle;
-using OpenMesh::VertexHandle;
 
 /// 4√3 area over the sum of the squared sides, 1 for an equilateral triangle, below which no
 /// collapse may bring a triangle.
@@ -23,18 +22,13 @@ double roundness(const Points& points, int a, int b, int c) {
   return 4 * std::sqrt(3.0) * signed_area(p, q, r) / sides;
 }
 
-/// The connectivity while vertices go.
+/// The vertices that go, one after the other.
 class Coarsening {
  public:
   Coarsening(const MeshPair& mesh, const std::vector<int>& kept)
-      : mesh_(mesh), may_go_(static_cast<std::size_t>(mesh.vertex_count()), true) {
-    connectivity_.request_vertex_status();
-    connectivity_.request_edge_status();
-    connectivity_.request_halfedge_status();
-    connectivity_.request_face_status();
-    for (int v = 0; v < mesh.vertex_count(); ++v) connectivity_.add_vertex();
-    for (const auto& t : mesh.triangles().colwise())
-      connectivity_.add_face(VertexHandle(t[0]), VertexHandle(t[1]), VertexHandle(t[2]));
+      : mesh_(mesh),
+        may_go_(static_cast<std::size_t>(mesh.vertex_count()), true),
+        corners_(mesh.triangles(), mesh.vertex_count()) {
     for (const int v : kept) may_go_[static_cast<std::size_t>(v)] = false;
     for (int v = 0; v < mesh.vertex_count(); ++v)
       if (mesh.is_boundary_vertex(v) || mesh.is_isolated(v))
@@ -48,11 +42,13 @@ class Coarsening {
     for (int v = 0; v < static_cast<int>(may_go_.size()) && gone < most; ++v) {
       const auto i = static_cast<std::size_t>(v);
       if (!may_go_[i] || is_locked[i]) continue;
-      const HalfedgeHandle h = best_collapse(VertexHandle(v));
-      if (!h.is_valid()) continue;
-      for (auto other = connectivity_.cvv_iter(VertexHandle(v)); other.is_valid(); ++other)
-        is_locked[static_cast<std::size_t>(other->idx())] = true;
-      connectivity_.collapse(h);
+      const int h = best_collapse(v);
+      if (h == kNone) continue;
+      for_round(v, [&](int out) {
+        is_locked[static_cast<std::size_t>(corners_.to(out))] = true;
+        return true;
+      });
+      corners_.collapse(h);
       may_go_[i] = false;
       ++gone;
     }
@@ -61,18 +57,19 @@ class Coarsening {
 
   CoarseMesh result() const {
     std::vector<int> vertices;
-    std::vector<int> new_index(may_go_.size(), -1);
+    std::vector<int> new_index(may_go_.size(), kNone);
     for (int v = 0; v < mesh_.vertex_count(); ++v) {
-      if (connectivity_.status(VertexHandle(v)).deleted()) continue;
+      if (corners_.is_gone(v)) continue;
       new_index[static_cast<std::size_t>(v)] = static_cast<int>(vertices.size());
       vertices.push_back(v);
     }
     Triangles triangles(3, mesh_.face_count());
     Eigen::Index count = 0;
-    for (const auto face : connectivity_.faces()) {
-      Eigen::Index corner = 0;
-      for (const auto v : face.vertices())
-        triangles(corner++, count) = new_index[static_cast<std::size_t>(v.idx())];
+    for (int t = 0; t < corners_.face_count(); ++t) {
+      if (corners_.is_face_gone(t)) continue;
+      for (int corner = 0; corner < 3; ++corner)
+        triangles(corner, count) =
+            new_index[static_cast<std::size_t>(corners_.from(3 * t + corner))];
       ++count;
     }
     MeshPair coarse(triangles.leftCols(count), mesh_.rest()(Eigen::all, vertices),
@@ -82,35 +79,49 @@ class Coarsening {
   }
 
  private:
+  static constexpr int kNone = -1;
+
+  /// Calls visit(half-edge) for those from an interior vertex until it returns false.
+  template <class Visit>
+  void for_round(int v, const Visit& visit) const {
+    const int first = corners_.outgoing(v);
+    int h = first;
+    do {
+      if (!visit(h)) return;
+      h = corners_.clockwise(h);
+    } while (h != first);
+  }
+
   /// The collapse that leaves the roundest triangles, or none.
-  HalfedgeHandle best_collapse(VertexHandle v) {
-    HalfedgeHandle best;
+  int best_collapse(int v) {
+    int best = kNone;
     double best_roundness = kLeastRoundness;
-    for (auto h = connectivity_.cvoh_iter(v); h.is_valid(); ++h) {
-      const double worst = worst_roundness(v, connectivity_.to_vertex_handle(*h), best_roundness);
-      if (worst <= best_roundness || !connectivity_.is_collapse_ok(*h)) continue;
-      best = *h;
-      best_roundness = worst;
-    }
+    for_round(v, [&](int h) {
+      const double worst = worst_roundness(v, corners_.to(h), best_roundness);
+      if (worst > best_roundness && corners_.may_collapse(h)) {
+        best = h;
+        best_roundness = worst;
+      }
+      return true;
+    });
     return best;
   }
 
   /// Of the triangles round v when v has gone to `to`; 0 when it is not more than `least`.
-  double worst_roundness(VertexHandle v, VertexHandle to, double least) const {
+  double worst_roundness(int v, int to, double least) const {
     double worst = 1;
-    for (auto h = connectivity_.cvoh_ccwiter(v); h.is_valid(); ++h) {
-      const int a = connectivity_.to_vertex_handle(*h).idx();
-      const int b = connectivity_.to_vertex_handle(connectivity_.next_halfedge_handle(*h)).idx();
-      if (a == to.idx() || b == to.idx()) continue;
-      worst = std::min(worst, roundness(mesh_.rest(), to.idx(), a, b));
-      if (worst <= least) return 0;
-    }
-    return worst;
+    for_round(v, [&](int h) {
+      const int a = corners_.to(h), b = corners_.to(CornerMesh::next(h));
+      if (a == to || b == to) return true;
+      worst = std::min(worst, roundness(mesh_.rest(), to, a, b));
+      return worst > least;
+    });
+    return worst > least ? worst : 0;
   }
 
   const MeshPair& mesh_;
   std::vector<bool> may_go_;
-  OpenMesh::TriConnectivity connectivity_;
+  CornerMesh corners_;
 };
 
 }  // namespace

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/layered/zip_archive.h"
 
-#include <zip.h>
-
 #include <algorithm>
 #include <memory>
 
 #include "core/error.h"
+#include "render/layered/zip.h"
 
 namespace foldless {
 namespace {
