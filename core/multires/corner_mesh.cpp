@@ -89,8 +89,7 @@ void CornerMesh::collapse(int h) {
   leave(end, right_outer);
   outgoing_[static_cast<std::size_t>(gone)] = kGone;
   for (const int t : {h / 3, back / 3})
-    for (int corner = 0; corner < 3; ++corner)
-      from_[static_cast<std::size_t>(3 * t + corner)] = kGone;
+    for (int side = 3 * t; side < 3 * t + 3; ++side) from_[static_cast<std::size_t>(side)] = kGone;
 }
 
 }  // namespace foldless
