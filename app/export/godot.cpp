@@ -88,29 +88,35 @@ std::vector<int> transitions(std::size_t keys, const HeldSteps& held) {
   return exponents;
 }
 
+/// What runs, and where it stands still.
+struct HeldAnimation {
+  const BakedAnimation& animation;
+  const HeldSteps& held;
+};
+
 /// A value track: what runs continuously and linearly from key to key.
-void append_track(std::string& text, const BakedAnimation& animation, const EngineMesh& mesh,
-                  std::size_t piece, const HeldSteps& held) {
+void append_track(std::string& text, const HeldAnimation& running, const EngineMesh& mesh,
+                  std::size_t piece) {
   const std::string track = "tracks/" + std::to_string(piece) + "/";
-  const std::vector<double> times = key_times(animation);
+  const std::vector<double> times = key_times(running.animation);
   text.append(track).append("type = \"value\"\n").append(track).append("imported = false\n");
   text.append(track).append("enabled = true\n").append(track).append("path = NodePath(\"");
   text.append(piece_name(piece)).append(":polygon\")\n").append(track).append("interp = 1\n");
   text.append(track).append("loop_wrap = true\n").append(track).append("keys = {\n\"times\": ");
   append_packed(text, "PackedFloat32Array", times);
   text += ",\n\"transitions\": ";
-  append_packed(text, "PackedFloat32Array", transitions(times.size(), held));
+  append_packed(text, "PackedFloat32Array", transitions(times.size(), running.held));
   text += ",\n\"update\": 0,\n\"values\": [";
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (k > 0) text += ", ";
-    append_polygon(text, mesh, frame_of_key(animation, k));
+    append_polygon(text, mesh, frame_of_key(running.animation, k));
   }
   text += "]\n}\n";
 }
 
-void append_animation(std::string& text, const BakedAnimation& animation,
-                      const std::vector<EngineMesh>& meshes, const std::string& name,
-                      const HeldSteps& held) {
+void append_animation(std::string& text, const HeldAnimation& running,
+                      const std::vector<EngineMesh>& meshes, const std::string& name) {
+  const BakedAnimation& animation = running.animation;
   text +=
       "[sub_resource type=\"Animation\" id=\"Animation_1\"]\nresource_name = " + godot_string(name);
   text += "\nlength = ";
@@ -118,7 +124,7 @@ void append_animation(std::string& text, const BakedAnimation& animation,
   text.append("\nloop_mode = ").append(animation.loops ? "1" : "0").append("\nstep = ");
   append_number(text, 1 / animation.fps);
   text += '\n';
-  for (std::size_t i = 0; i < meshes.size(); ++i) append_track(text, animation, meshes[i], i, held);
+  for (std::size_t i = 0; i < meshes.size(); ++i) append_track(text, running, meshes[i], i);
   text += "\n[sub_resource type=\"AnimationLibrary\" id=\"AnimationLibrary_1\"]\n_data = {\n" +
           godot_string(name) + ": SubResource(\"Animation_1\")\n}\n\n";
 }
@@ -137,7 +143,7 @@ std::string godot_scene(const BakedAnimation& animation, const std::vector<GltfP
             godot_string(picture_name(name, i, pieces.size())) + " id=\"" + std::to_string(i + 1) +
             "\"]\n";
   text += '\n';
-  append_animation(text, animation, meshes, root, held);
+  append_animation(text, {animation, held}, meshes, root);
   text += "[node name=" + godot_string(root) + " type=\"Node2D\"]\n\n";
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     text += "[node name=\"" + piece_name(i) +

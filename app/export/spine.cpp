@@ -74,11 +74,15 @@ void append_attachment(std::string& text, const BakedAnimation& animation, const
   text += '}';
 }
 
-/// The differences to the first frame, without the zeros that they begin and end with.
-void append_key(std::string& text, double time, const std::vector<double>& first,
-                const std::vector<double>& places, bool is_held) {
+std::vector<double> differences(const std::vector<double>& places,
+                                const std::vector<double>& first) {
   std::vector<double> by;
   for (std::size_t i = 0; i < places.size(); ++i) by.push_back(places[i] - first[i]);
+  return by;
+}
+
+/// The differences to the first frame, without the zeros that they begin and end with.
+void append_key(std::string& text, double time, const std::vector<double>& by, bool is_held) {
   const auto differs = [](double difference) { return difference != 0; };
   const auto begin = std::ranges::find_if(by, differs);
   const auto end = std::find_if(by.rbegin(), by.rend(), differs).base();
@@ -101,8 +105,8 @@ void append_deform(std::string& text, const BakedAnimation& animation, const Eng
   text += "{\"deform\":[";
   for (std::size_t k = 0; k < times.size(); ++k) {
     text += k == 0 ? "\n" : ",\n";
-    append_key(text, times[k], first, places_of(mesh, frame_of_key(animation, k)),
-               held.contains(k));
+    const std::vector<double> places = places_of(mesh, frame_of_key(animation, k));
+    append_key(text, times[k], differences(places, first), held.contains(k));
   }
   text += "]}";
 }

@@ -76,9 +76,9 @@ Image SpriteSheet::strip(int row, int width) const {
   const Grid cells = grid();
   Image strip(width, cells.height);
   for (int column = 0; column < cells.columns; ++column) {
-    const auto i = static_cast<std::size_t>(row * cells.columns + column);
-    if (i >= sprites_.size()) break;
-    const Sprite& sprite = sprites_[i];
+    const int number = row * cells.columns + column;
+    if (number >= static_cast<int>(sprites_.size())) break;
+    const Sprite& sprite = sprites_[static_cast<std::size_t>(number)];
     const std::size_t line = 4 * static_cast<std::size_t>(sprite.width);
     const auto pixels = unpacked(sprite.pixels, line * static_cast<std::size_t>(sprite.height));
     for (int y = 0; y < sprite.height; ++y)

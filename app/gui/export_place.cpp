@@ -27,7 +27,7 @@ std::filesystem::path folder_of(const Editor& editor) {
 
 std::filesystem::path starting_folder(const Editor& editor, const UiState& state) {
   if (!state.last_folder.empty()) return state.last_folder;
-  if (const auto own = folder_of(editor); !own.empty()) return own;
+  if (auto own = folder_of(editor); !own.empty()) return own;
   std::error_code ignored;
   return std::filesystem::current_path(ignored);
 }
