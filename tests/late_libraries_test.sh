@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Libraries of pictures, windows, fonts and archives are loaded where they are used and nowhere else:
+# Libraries of pictures, windows, fonts, archives and the desktop are loaded where they are used and nowhere else:
 # late_libraries_test.sh PROGRAM ASSETS.
 set -euo pipefail
 program=$1 assets=$2
@@ -12,7 +12,7 @@ complain() {
   failed=1
 }
 
-if ldd "$program" | grep --extended-regexp 'OSMesa|LLVM|cairo|glfw|X11|xcb|fontconfig|libzip|crypto'; then
+if ldd "$program" | grep --extended-regexp 'OSMesa|LLVM|cairo|glfw|X11|xcb|fontconfig|libzip|crypto|libgio'; then
   complain 'it starts with them'
 fi
 
