@@ -5,8 +5,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "render/gl_objects.h"
 #include "render/shader.h"
@@ -15,10 +17,12 @@ namespace foldless {
 
 struct UiRenderer::Resources {
   ShaderProgram program{{"ui"}};
+  ShaderProgram fill{{"ui_fill", "ui"}};
   VertexArray vertex_array;
   Buffer vertices;
   Buffer indices;
   Texture font;
+  ImVec2 white{};  ///< where the atlas is white
 };
 
 namespace {
@@ -60,7 +64,66 @@ Clip clip_of(const ImDrawCmd& command, const ImDrawData& data, const glm::vec2& 
           glm::min((high - origin) * scale, framebuffer)};
 }
 
-void draw_list(const ImDrawList& list, const ImDrawData& data, const glm::vec2& framebuffer) {
+void set_display(const ShaderProgram& program, const ImDrawData& data) {
+  program.use();
+  program.set("display_origin", glm::vec2(data.DisplayPos.x, data.DisplayPos.y));
+  program.set("display_size", glm::vec2(data.DisplaySize.x, data.DisplaySize.y));
+}
+
+/// Triangles of a command that follow each other, as indices of it.
+struct TriangleRun {
+  unsigned int first;
+  unsigned int count;
+  bool is_fill;  ///< needs no atlas
+};
+
+/// A command in runs: those without a picture that cover much (backgrounds, curves, bars) apart.
+std::vector<TriangleRun> runs_of(const ImDrawCmd& command, const ImDrawList& list,
+                                 const ImVec2& white) {
+  constexpr float kMuch = 3000;  // [square pixels] what another program costs is less
+  std::vector<TriangleRun> runs;
+  const auto corner = [&](unsigned int i) -> const ImDrawVert& {
+    const auto index =
+        static_cast<unsigned int>(list.IdxBuffer[static_cast<int>(command.IdxOffset + i)]);
+    return list.VtxBuffer[static_cast<int>(index + command.VtxOffset)];
+  };
+  const auto is_white = [&](const ImDrawVert& v) { return v.uv.x == white.x && v.uv.y == white.y; };
+  const auto add = [&runs](const TriangleRun& run) {
+    if (runs.empty() || runs.back().is_fill != run.is_fill)
+      runs.push_back(run);
+    else
+      runs.back().count += run.count;
+  };
+  for (unsigned int i = 0; i < command.ElemCount;) {
+    const unsigned int first = i;
+    float doubled_area = 0;
+    for (; i < command.ElemCount; i += 3) {
+      const ImDrawVert &a = corner(i), &b = corner(i + 1), &c = corner(i + 2);
+      if (!is_white(a) || !is_white(b) || !is_white(c)) break;
+      doubled_area += std::abs((b.pos.x - a.pos.x) * (c.pos.y - a.pos.y) -
+                               (b.pos.y - a.pos.y) * (c.pos.x - a.pos.x));
+    }
+    if (i > first) add({first, i - first, doubled_area > 2 * kMuch});
+    if (i < command.ElemCount) {
+      add({i, 3, false});
+      i += 3;
+    }
+  }
+  return runs;
+}
+
+void draw_run(const ImDrawCmd& command, const TriangleRun& run) {
+  const auto first =
+      reinterpret_cast<const void*>((command.IdxOffset + run.first) * sizeof(ImDrawIdx));
+  glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(run.count),
+                           sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, first,
+                           static_cast<GLint>(command.VtxOffset));
+}
+
+}  // namespace
+
+void UiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data,
+                           const glm::vec2& framebuffer) {
   glBufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data,
                GL_STREAM_DRAW);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data,
@@ -77,14 +140,13 @@ void draw_list(const ImDrawList& list, const ImDrawData& data, const glm::vec2& 
               static_cast<GLsizei>(clip.max.y - clip.min.y));
     const auto texture = static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.TextureId));
     glBindTexture(GL_TEXTURE_2D, texture);
-    const auto first = reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx));
-    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
-                             sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, first,
-                             static_cast<GLint>(command.VtxOffset));
+    for (const TriangleRun& run : runs_of(command, list, resources_->white)) {
+      if (run.is_fill) resources_->fill.use();
+      draw_run(command, run);
+      if (run.is_fill) resources_->program.use();
+    }
   }
 }
-
-}  // namespace
 
 UiRenderer::UiRenderer() : resources_(std::make_unique<Resources>()) {
   glBindVertexArray(resources_->vertex_array.id());
@@ -110,6 +172,7 @@ void UiRenderer::upload_fonts(ImFontAtlas& atlas) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   atlas.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(resources_->font.id())));
   atlas.ClearTexData();
+  resources_->white = atlas.TexUvWhitePixel;
 }
 
 void UiRenderer::draw(const ImDrawData& data) {
@@ -118,9 +181,8 @@ void UiRenderer::draw(const ImDrawData& data) {
   if (framebuffer.x < 1 || framebuffer.y < 1) return;
   glViewport(0, 0, static_cast<GLsizei>(framebuffer.x), static_cast<GLsizei>(framebuffer.y));
   set_state();
-  resources_->program.use();
-  resources_->program.set("display_origin", glm::vec2(data.DisplayPos.x, data.DisplayPos.y));
-  resources_->program.set("display_size", glm::vec2(data.DisplaySize.x, data.DisplaySize.y));
+  set_display(resources_->fill, data);
+  set_display(resources_->program, data);
   resources_->program.set("atlas", 0);
   glActiveTexture(GL_TEXTURE0);
   glBindSampler(0, 0);

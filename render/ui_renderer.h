@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <memory>
 
 struct ImDrawData;
+struct ImDrawList;
 struct ImFontAtlas;
 
 namespace foldless {
@@ -25,6 +27,8 @@ class UiRenderer {
   void draw(const ImDrawData& data);
 
  private:
+  void draw_list(const ImDrawList& list, const ImDrawData& data, const glm::vec2& framebuffer);
+
   struct Resources;
   std::unique_ptr<Resources> resources_;
 };

@@ -5,18 +5,28 @@
 
 namespace foldless {
 
-/// Draws a curve piece by piece; dashes go on from one piece to the next.
+/// The values of a curve that share a column of pixels: where they begin and end, and between what
+/// they lie [framebuffer pixels].
+struct CurveColumn {
+  float x;
+  float first;
+  float last;
+  float low;
+  float high;
+};
+
+/// Draws a curve column by column; dashes go on from one to the next.
 class CurvePen {
  public:
   CurvePen(ImDrawList& list, const PlotCurve& curve, float thickness);
 
-  void line_to(const ImVec2& point);
-  /// A stroke across a column that holds many values.
-  void column(float x, float low, float high);
+  /// A line to where the column begins, and a stroke across it.
+  void go_on(const CurveColumn& column);
   /// A dot at the end.
   void finish();
 
  private:
+  void line_to(const ImVec2& point);
   void dashes(const ImVec2& from, const ImVec2& to);
 
   ImDrawList& list_;

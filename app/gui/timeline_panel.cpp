@@ -61,21 +61,31 @@ void draw_marks(const Editor& editor, const PanelContext& context) {
   if (iterations.size() < 2) return;
   const Look& look = context.look;
   const CanvasColours& colours = canvas_colours(context.state.settings.theme);
+  const auto colour_of = [](const glm::vec4& c) { return packed({c.r, c.g, c.b, c.a}); };
+  const ImU32 flipped = colour_of(colours.flipped), split = colour_of(colours.split);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   // Where the middle of the knob stands, which is as wide as a step where there are few.
   const auto count = static_cast<float>(iterations.size());
   const float width = high.x - low.x - 4;
   const float knob = std::max(width / count, ImGui::GetStyle().GrabMinSize);
   const float margin = 2 + knob / 2, step = (width - knob) / (count - 1);
+  // The colour of every column of pixels, that runs of one colour are drawn at once.
+  std::vector<ImU32> columns(static_cast<std::size_t>(std::max(width + 4, 0.0F)) + 1);
   for (std::size_t i = 0; i < iterations.size(); ++i) {
     const Iteration before = i > 0 ? iterations[i - 1] : Iteration{};
     const bool has_split = iterations[i].splits > before.splits;
     if (!has_split && iterations[i].flips <= before.flips) continue;
-    const glm::vec4 colour = has_split ? colours.split : colours.flipped;
-    const float x = low.x + margin + step * static_cast<float>(i);
-    ImGui::GetWindowDrawList()->AddLine({x, high.y - look.px(4)}, {x, high.y},
-                                        packed({colour.r, colour.g, colour.b, colour.a}),
-                                        std::max(1.0F, look.px(1.2F)));
+    const auto column = static_cast<std::size_t>(margin + step * static_cast<float>(i));
+    if (column >= columns.size() || columns[column] == split) continue;
+    columns[column] = has_split ? split : flipped;
+  }
+  for (std::size_t first = 0, last; first < columns.size(); first = last) {
+    for (last = first + 1; last < columns.size() && columns[last] == columns[first]; ++last) {
+    }
+    if (columns[first] != 0)
+      ImGui::GetWindowDrawList()->AddRectFilled(
+          {low.x + static_cast<float>(first), high.y - look.px(4)},
+          {low.x + static_cast<float>(last), high.y}, columns[first]);
   }
 }
 
