@@ -38,6 +38,12 @@ add_test(NAME Rooms.ComplainsAboutEachBrokenRule
                  -DTREE=${CMAKE_CURRENT_BINARY_DIR}/rooms_tree
                  -P ${CMAKE_CURRENT_SOURCE_DIR}/rooms_self_test.cmake)
 
+file(GLOB EDITOR_HEADERS ${PROJECT_SOURCE_DIR}/app/editor/*.h)
+add_test(NAME Facades.NoClassOfTheEditorHasMoreThanThirtyPublicMembers
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/public_members.py ${EDITOR_HEADERS})
+add_test(NAME Facades.OneMemberTooManyIsTold
+         COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/public_members.py --self-test)
+
 find_program(CLANG_FORMAT NAMES clang-format-14 clang-format)
 if(CLANG_FORMAT)
   add_test(NAME Format.HoldsInTheSources

@@ -20,7 +20,7 @@ inline bool has_selection(const Editor& e) { return !e.selection().ids().empty()
 inline bool has_several(const Editor& e) { return e.selection().ids().size() > 1; }
 inline bool has_race(const Editor& e) { return e.race().is_open(); }
 inline bool has_time_line(const Editor& e) { return e.motion().is_open(); }
-inline bool has_keys_selected(const Editor& e) { return !e.motion().selected().empty(); }
+inline bool has_keys_selected(const Editor& e) { return !e.motion().keys().selected().empty(); }
 inline bool has_iterations(const Editor& e) {
   return has_race(e) ? e.race().furthest() > 0 : !e.playback().iterations().empty();
 }
@@ -34,6 +34,8 @@ inline DocumentFiles& part_with(void (DocumentFiles::*)(), Editor& e) { return e
 inline Selection& part_with(void (Selection::*)(), Editor& e) { return e.selection(); }
 inline CanvasView& part_with(void (CanvasView::*)(), Editor& e) { return e.view(); }
 inline Motion& part_with(void (Motion::*)(), Editor& e) { return e.motion(); }
+inline PlayHead& part_with(void (PlayHead::*)(), Editor& e) { return e.motion().play_head(); }
+inline MotionKeys& part_with(void (MotionKeys::*)(), Editor& e) { return e.motion().keys(); }
 inline Playback& part_with(void (Playback::*)(), Editor& e) { return e.playback(); }
 inline PoseComparison& part_with(void (PoseComparison::*)(), Editor& e) { return e.comparison(); }
 inline StiffnessBrush& part_with(void (StiffnessBrush::*)(), Editor& e) { return e.brush(); }

@@ -27,7 +27,7 @@ bool are_panes_linked(const Editor& e) {
 /// What was selected last goes: keys of the time line, or handles.
 void delete_selected(Editor& e) {
   if (has_keys_selected(e))
-    e.motion().delete_selected();
+    e.motion().keys().delete_selected();
   else
     e.edits().delete_selected();
 }
@@ -49,7 +49,7 @@ bool is_layer_on(const Editor& e) {
 }
 
 void find_lost_work(Editor& e) {
-  e.files().find_lost_work();
+  e.files().recovery().find();
   if (!e.files().recovery().is_open())
     e.messages().toast(ToastKind::notice, "There is no unsaved work to recover");
 }

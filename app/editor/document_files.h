@@ -93,8 +93,6 @@ class DocumentFiles {
   const Autosave& autosave() const { return autosave_; }
   /// Writes a copy at once if anything is unsaved; for when the program is about to end.
   void rescue();
-  /// Looks for work that was lost, and offers it.
-  void find_lost_work() { recovery_.find(); }
   Recovery& recovery() { return recovery_; }
   const Recovery& recovery() const { return recovery_; }
   /// Makes what is looked at the document, which is unsaved then; asks first when the present one

@@ -70,10 +70,10 @@ void Editor::escape() {
   if (brush_.is_on()) return brush_.toggle();
   if (playback_.is_solving()) return playback_.stop();
   if (playback_.is_playing()) return playback_.toggle_play();
-  if (motion_.is_playing()) return motion_.toggle_play();
+  if (motion_.play_head().is_playing()) return motion_.play_head().toggle_play();
   if (playback_.scrubbed()) return draft_.look_at_newest();
   if (view_.beside() == Beside::kept_pose) return view_.toggle_beside(Beside::kept_pose);
-  if (!motion_.selected().empty()) return motion_.select_none();
+  if (!motion_.keys().selected().empty()) return motion_.keys().select_none();
   selection().select_none();
 }
 

@@ -1,101 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/editor/motion.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace foldless {
 
 Motion::Motion(Draft& draft, Messages& messages, std::function<void()> wake)
-    : draft_(draft), messages_(messages), frames_(wake), bake_(std::move(wake)) {
-  draft_.on_commit(
-      [this](const Document& before, Document& after) { key_what_changed(before, after); });
-}
-
-const Animation& Motion::animation() const {
-  static const Animation none;
-  return draft_.document().animation ? *draft_.document().animation : none;
+    : draft_(draft),
+      messages_(messages),
+      play_head_(draft, messages),
+      keys_(draft, play_head_, messages),
+      frames_(wake),
+      bake_(std::move(wake)) {
+  draft_.on_commit([this](const Document& before, Document& after) {
+    if (is_open_) keys_.key_what_changed(before, after);
+  });
 }
 
 void Motion::toggle() {
   draft_.interrupt();
   is_open_ = !is_open_;
-  play_.reset();
+  play_head_.stop();
   if (!is_open_ && std::exchange(shown_, nullptr)) draft_.look_at_newest();
   messages_.redraw();
 }
 
-void Motion::go_to(int frame) {
-  frame_ = std::clamp(frame, 0, last_frame());
-  between_.reset();
-  if (play_) play_ = Playing{messages_.now(), frame_};
+void Motion::toggle_onion_skin() {
+  has_onion_skin_ = !has_onion_skin_;
   messages_.redraw();
-}
-
-/// In a loop there are moments after the last frame too.
-void Motion::go_between(double moment) {
-  stop();
-  const double possible = std::clamp(moment, 0.0, static_cast<double>(end()));
-  go_to(static_cast<int>(std::lround(possible)));
-  if (possible < end() && possible != std::floor(possible)) between_ = possible;
-}
-
-void Motion::step_forward() {
-  const int frame = static_cast<int>(std::floor(moment()));
-  go_to(frame < last_frame() ? frame + 1 : 0);
-}
-
-void Motion::step_back() {
-  const int frame = static_cast<int>(std::ceil(moment()));
-  go_to(frame > 0 ? frame - 1 : last_frame());
-}
-
-std::optional<int> Motion::key_after(int frame) const {
-  std::optional<int> next;
-  for (const KeyPlace& key : keys_of(animation()))
-    if (key.frame > frame) next = std::min(next.value_or(key.frame), key.frame);
-  return next;
-}
-
-std::optional<int> Motion::key_before(int frame) const {
-  std::optional<int> before;
-  for (const KeyPlace& key : keys_of(animation()))
-    if (key.frame < frame) before = std::max(before.value_or(key.frame), key.frame);
-  return before;
-}
-
-void Motion::next_key() {
-  if (const auto frame = key_after(frame_)) go_to(*frame);
-}
-
-void Motion::previous_key() {
-  if (const auto frame = key_before(frame_)) go_to(*frame);
-}
-
-void Motion::toggle_play() {
-  messages_.redraw();
-  if (play_) return play_.reset();
-  draft_.interrupt();
-  between_.reset();
-  play_ = Playing{messages_.now(), frame_};
-}
-
-/// A slow frame drops some.
-void Motion::advance() {
-  if (!play_) return;
-  const double passed = (messages_.now() - play_->since) * animation().fps;
-  const int count = animation().cycle.frames;
-  const int frame = static_cast<int>(std::fmod(play_->from + passed + 1e-6, count));
-  if (frame != std::exchange(frame_, frame)) messages_.redraw();
 }
 
 std::optional<double> Motion::next_wake() const {
-  if (!play_ || !is_open_) return std::nullopt;
-  const double passed = (messages_.now() - play_->since) * animation().fps;
-  return play_->since + (std::floor(passed + 1e-6) + 1) / animation().fps;
+  return is_open_ ? play_head_.next_wake() : std::nullopt;
 }
 
 void Motion::update() {
@@ -103,22 +39,21 @@ void Motion::update() {
       has_keys())
     is_open_ = true;
   if (!is_open_) return bake_.update(draft_.document(), frames_, false);
-  frame_ = std::clamp(frame_, 0, last_frame());
-  if (between_ && *between_ >= end()) between_.reset();
+  play_head_.stay_in_cycle();
   frames_.hold(draft_.is_editing());
   if (draft_.is_editing()) bake_.update(draft_.document(), frames_, false);
-  if (draft_.is_editing()) return play_.reset();
-  select(Keys(selected_));
+  if (draft_.is_editing()) return play_head_.stop();
+  keys_.select(Keys(keys_.selected()));
   frames_.follow(draft_.document());
   bake_.update(draft_.document(), frames_, true);
   if (std::exchange(proof_, bake_.status().state) != proof_) messages_.redraw();
-  advance();
+  play_head_.advance();
   show();
 }
 
 std::shared_ptr<const SolvedFrame> Motion::solved() const {
-  if (!between_) return frames_.frame(frame_);
-  const bool is_there = solved_between_ && solved_between_->frame == *between_;
+  if (!play_head_.is_between()) return frames_.frame(play_head_.frame());
+  const bool is_there = solved_between_ && solved_between_->frame == play_head_.moment();
   return is_there ? solved_between_ : nullptr;
 }
 
@@ -132,7 +67,7 @@ std::optional<double> Motion::gap() const {
 
 /// While a frame is not solved what was on screen stays there.
 void Motion::show() {
-  solved_between_ = between_ ? frames_.between(*between_) : nullptr;
+  solved_between_ = play_head_.is_between() ? frames_.between(play_head_.moment()) : nullptr;
   const auto solved = this->solved();
   const auto& animation = draft_.document().animation;
   const bool is_on_screen = draft_.look_back() && !draft_.look_back()->iteration;
@@ -145,17 +80,11 @@ void Motion::show() {
 
 std::vector<std::shared_ptr<const Snapshot>> Motion::neighbours() const {
   std::vector<std::shared_ptr<const Snapshot>> poses;
-  if (!is_open_ || !has_onion_skin_ || play_) return poses;
-  for (const auto& frame : {key_before(frame_), key_after(frame_)})
+  if (!is_open_ || !has_onion_skin_ || play_head_.is_playing()) return poses;
+  for (const auto& frame : {play_head_.key_before(), play_head_.key_after()})
     if (const auto solved = frame ? frames_.frame(*frame) : nullptr)
       poses.push_back(solved->snapshot);
   return poses;
-}
-
-std::string moment_words(double moment) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), moment == std::floor(moment) ? "%.0f" : "%.2f", moment);
-  return text.data();
 }
 
 }  // namespace foldless

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the time line changes keys.
+#include "app/editor/motion_keys.h"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
-
-#include "app/editor/motion.h"
 
 namespace foldless {
 namespace {
@@ -36,7 +35,7 @@ void put_keys(Animation& animation, const Animation& copied, int later) {
 
 }  // namespace
 
-void Motion::change(const std::string& label, const std::function<void(Animation&)>& change) {
+void MotionKeys::change(const std::string& label, const std::function<void(Animation&)>& change) {
   draft_.interrupt();
   if (draft_.document().is_empty()) return;
   Animation changed = animation();
@@ -47,40 +46,32 @@ void Motion::change(const std::string& label, const std::function<void(Animation
   draft_.edit(label, std::move(document), Change::appearance);
 }
 
-void Motion::toggle_records() {
+void MotionKeys::toggle_records() {
   records_ = !records_;
   messages_.redraw();
 }
 
-void Motion::toggle_onion_skin() {
-  has_onion_skin_ = !has_onion_skin_;
-  messages_.redraw();
-}
-
-/// Where an edit left a handle other than it would be at the play head. Keys sit on frames: the
-/// play head goes to the nearest.
-void Motion::key_what_changed(const Document& before, Document& after) {
-  if (!is_open_ || after.is_empty() || before.animation != after.animation ||
-      before.original != after.original)
+void MotionKeys::key_what_changed(const Document& before, Document& after) {
+  if (after.is_empty() || before.animation != after.animation || before.original != after.original)
     return;
   Animation changed = animation();
-  const auto expected = handles_at(changed, before.handles, moment());
+  const auto expected = handles_at(changed, before.handles, play_head_.moment());
   for (const Handle& handle : after.handles) {
     const auto was = std::ranges::find(expected, handle.id, &Handle::id);
     if (was == expected.end()) continue;
     for (const KeyedProperty property : kKeyedProperties) {
       const bool is_keyed = foldless::has_keys(changed, handle.id, property);
       if ((!is_keyed && !records_) || is_same(*was, handle, property)) continue;
-      if (!is_keyed && frame_ > 0) set_key(changed, *was, property, 0);
-      set_key(changed, handle, property, frame_);
+      if (!is_keyed && play_head_.frame() > 0) set_key(changed, *was, property, 0);
+      set_key(changed, handle, property, play_head_.frame());
     }
   }
   if (changed == animation()) return;
   after.animation = std::make_shared<const Animation>(std::move(changed));
-  between_.reset();
+  play_head_.go_to_nearest_frame();
 }
 
-void Motion::key_handles() {
+void MotionKeys::key_handles() {
   const auto is_due = [this](int id, KeyedProperty property) {
     const bool is_pose = property == KeyedProperty::position || property == KeyedProperty::angle;
     return is_selected(draft_.selection(), id) &&
@@ -89,19 +80,20 @@ void Motion::key_handles() {
   key(is_due);
 }
 
-void Motion::key_row(int handle, KeyedProperty property) {
+void MotionKeys::key_row(int handle, KeyedProperty property) {
   key([&](int id, KeyedProperty other) { return id == handle && other == property; });
 }
 
-void Motion::key(const std::function<bool(int, KeyedProperty)>& is_due) {
+void MotionKeys::key(const std::function<bool(int, KeyedProperty)>& is_due) {
   change("Key", [&](Animation& animation) {
-    for (const Handle& handle : handles_at(animation, draft_.document().handles, frame_))
+    for (const Handle& handle :
+         handles_at(animation, draft_.document().handles, play_head_.frame()))
       for (const KeyedProperty property : kKeyedProperties)
-        if (is_due(handle.id, property)) set_key(animation, handle, property, frame_);
+        if (is_due(handle.id, property)) set_key(animation, handle, property, play_head_.frame());
   });
 }
 
-void Motion::select(const Keys& keys) {
+void MotionKeys::select(const Keys& keys) {
   Keys present;
   const Keys all = keys.empty() ? Keys() : keys_of(animation());
   std::set_intersection(keys.begin(), keys.end(), all.begin(), all.end(),
@@ -111,21 +103,21 @@ void Motion::select(const Keys& keys) {
   messages_.redraw();
 }
 
-void Motion::delete_selected() {
+void MotionKeys::delete_selected() {
   const Keys keys = selected_;
   change(keys.size() == 1 ? "Delete key" : "Delete keys",
          [&](Animation& animation) { remove_keys(animation, keys); });
   select_none();
 }
 
-void Motion::move_selected(const std::function<int(int)>& to, bool copies) {
+void MotionKeys::move_selected(const std::function<int(int)>& to, bool copies) {
   Keys moved = selected_;
   change(copies ? "Copy keys" : "Move keys",
          [&](Animation& animation) { moved = move_keys(animation, selected_, to, copies); });
   select(moved);
 }
 
-void Motion::copy() {
+void MotionKeys::copy() {
   if (selected_.empty()) return;
   Keys others = keys_of(animation());
   for (const KeyPlace& key : selected_) others.erase(key);
@@ -135,8 +127,8 @@ void Motion::copy() {
   messages_.redraw();
 }
 
-void Motion::paste() {
-  const int later = frame_ - copied_.first;
+void MotionKeys::paste() {
+  const int later = play_head_.frame() - copied_.first;
   const Animation copied = animation_of(copied_.animation, draft_.document().handles);
   change("Paste keys", [&](Animation& animation) { put_keys(animation, copied, later); });
   Keys pasted;
@@ -147,30 +139,30 @@ void Motion::paste() {
   select(pasted);
 }
 
-void Motion::set_easing(const Easing& easing) {
+void MotionKeys::set_easing(const Easing& easing) {
   change("Easing",
          [&](Animation& animation) { foldless::set_easing(animation, selected_, easing); });
 }
 
-void Motion::set_cycle(const Cycle& cycle) {
+void MotionKeys::set_cycle(const Cycle& cycle) {
   Cycle possible = cycle;
   possible.frames = std::clamp(cycle.frames, 1, kMostFrames);
   change("Length of the animation",
          [&](Animation& animation) { foldless::set_cycle(animation, possible); });
 }
 
-void Motion::set_fps(double fps) {
+void MotionKeys::set_fps(double fps) {
   change("Frames a second",
          [&](Animation& animation) { animation.fps = std::clamp(fps, kLeastFps, kLargestFps); });
 }
 
-bool Motion::is_smooth() const {
+bool MotionKeys::is_smooth() const {
   return std::ranges::any_of(animation().tracks, [this](const HandleTracks& tracks) {
     return tracks.is_smooth && draft_.selection().ids().contains(tracks.handle);
   });
 }
 
-void Motion::toggle_smooth() {
+void MotionKeys::toggle_smooth() {
   const bool is_smooth_now = is_smooth();
   change(is_smooth_now ? "Straight paths" : "Smooth paths", [&](Animation& animation) {
     for (HandleTracks& tracks : animation.tracks)
@@ -178,18 +170,18 @@ void Motion::toggle_smooth() {
   });
 }
 
-bool Motion::swings() const {
+bool MotionKeys::swings() const {
   return std::ranges::any_of(animation().groups, [this](const TurningGroup& group) {
     return std::ranges::any_of(group.handles,
                                [this](int id) { return draft_.selection().ids().contains(id); });
   });
 }
 
-void Motion::toggle_swing() {
+void MotionKeys::toggle_swing() {
   const std::vector<int> order = draft_.selection().order();
   const bool ends = swings();
   if (order.empty() || (!ends && order.size() < 2)) return;
-  const auto handles = handles_at(animation(), draft_.document().handles, frame_);
+  const auto handles = handles_at(animation(), draft_.document().handles, play_head_.frame());
   const auto centre = std::ranges::find(handles, order.back(), &Handle::id);
   change(ends ? "Swing no more" : "Swing about a handle", [&](Animation& animation) {
     for (TurningGroup& group : animation.groups)

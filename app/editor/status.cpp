@@ -134,7 +134,7 @@ Status status_of(const Draft& draft) {
 
 Status status_of(const Motion& motion) {
   const FramesStatus frames = motion.frames().status();
-  const std::string frame = "Frame " + moment_words(motion.moment());
+  const std::string frame = "Frame " + moment_words(motion.play_head().moment());
   if (!frames.error.empty()) return {StatusKind::failed, frames.error};
   const auto solved = motion.solved();
   if (!solved)

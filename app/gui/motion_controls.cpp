@@ -27,7 +27,7 @@ std::optional<Easing> easing_of(const Motion& motion) {
   bool differs = false;
   const auto look_at = [&](const auto& track, int handle, KeyedProperty property) {
     for (const auto& key : track) {
-      if (!motion.selected().contains({handle, property, key.frame})) continue;
+      if (!motion.keys().selected().contains({handle, property, key.frame})) continue;
       differs = differs || (common && !(*common == key.easing));
       common = key.easing;
     }
@@ -45,7 +45,7 @@ std::optional<Easing> easing_of(const Motion& motion) {
 void draw_curve(const Easing& easing, Motion& motion, const PanelContext& context) {
   ImGui::TextUnformatted("Pull the ends of the curve:");
   const auto pulled = draw_easing_curve(easing, context.state.time_line.pulled_curve, context.look);
-  if (pulled && !(*pulled == easing)) motion.set_easing(*pulled);
+  if (pulled && !(*pulled == easing)) motion.keys().set_easing(*pulled);
   std::array<float, 4> values{
       static_cast<float>(easing.first.x()), static_cast<float>(easing.first.y()),
       static_cast<float>(easing.second.x()), static_cast<float>(easing.second.y())};
@@ -55,13 +55,13 @@ void draw_curve(const Easing& easing, Motion& motion, const PanelContext& contex
   Easing curve;
   curve.first = {std::clamp(values[0], 0.0F, 1.0F), values[1]};
   curve.second = {std::clamp(values[2], 0.0F, 1.0F), values[3]};
-  motion.set_easing(curve);
+  motion.keys().set_easing(curve);
 }
 
 void draw_easing(Editor& editor, const PanelContext& context) {
   const Look& look = context.look;
   Motion& motion = editor.motion();
-  ImGui::BeginDisabled(motion.selected().empty());
+  ImGui::BeginDisabled(motion.keys().selected().empty());
   const auto easing = easing_of(motion);
   std::string words = "Easing";
   if (easing) words = "Own curve";
@@ -70,7 +70,8 @@ void draw_easing(Editor& editor, const PanelContext& context) {
   ImGui::SetNextItemWidth(look.px(96));
   if (begin_combo("##easing", words, ImGuiComboFlags_HeightLargest)) {
     for (const NamedEasing& row : easings())
-      if (choice_entry(title_of(row).c_str(), easing == row.easing)) motion.set_easing(row.easing);
+      if (choice_entry(title_of(row).c_str(), easing == row.easing))
+        motion.keys().set_easing(row.easing);
     ImGui::Separator();
     if (easing) draw_curve(*easing, motion, context);
     ImGui::EndCombo();
@@ -86,7 +87,7 @@ void draw_length(Editor& editor, const Look& look) {
   ImGui::SetNextItemWidth(look.px(56));
   if (ImGui::InputInt("##frames", &frames, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue)) {
     cycle.frames = frames;
-    motion.set_cycle(cycle);
+    motion.keys().set_cycle(cycle);
   }
   tooltip("How many frames the animation has.", look);
   ImGui::SameLine(0, look.px(4));
@@ -95,7 +96,7 @@ void draw_length(Editor& editor, const Look& look) {
   double fps = motion.animation().fps;
   ImGui::SetNextItemWidth(look.px(48));
   if (ImGui::InputDouble("##fps", &fps, 0, 0, "%.4g", ImGuiInputTextFlags_EnterReturnsTrue))
-    motion.set_fps(fps);
+    motion.keys().set_fps(fps);
   tooltip("Frames a second: 12, 24, 25, 30, 50, 60 or any other number.", look);
   ImGui::SameLine(0, look.px(4));
   ImGui::TextUnformatted("fps");
@@ -103,7 +104,7 @@ void draw_length(Editor& editor, const Look& look) {
   bool loops = cycle.loops;
   if (ImGui::Checkbox("Loop", &loops)) {
     cycle.loops = loops;
-    motion.set_cycle(cycle);
+    motion.keys().set_cycle(cycle);
   }
   tooltip("The last key goes over into the first, and the shape comes back.", look);
 }

@@ -87,7 +87,7 @@ class Session {
       editor_.files().open_sample(opened_.file);
     else if (!opened_.file.empty())
       editor_.files().open(opened_.file);
-    editor_.files().find_lost_work();
+    editor_.files().recovery().find();
   }
 
   /// Until the user leaves. Whatever else ends the program, unsaved work is kept: a signal, an

@@ -60,7 +60,7 @@ class TimeLineDrawing {
   void draw_ruler() {
     const int step = ruler_step(place_, look_.px(44));
     const float y = place_.area.y;
-    const float play_head = place_.x_of(editor_.motion().moment());
+    const float play_head = place_.x_of(editor_.motion().play_head().moment());
     for (int frame = 0; frame <= place_.last; frame += step) {
       if (!place_.is_in_sight(frame)) continue;
       const float x = place_.x_of(frame);
@@ -129,7 +129,7 @@ class TimeLineDrawing {
     // Those that are pulled are drawn where they would come to, over the others.
     for (const bool is_selected : {false, true})
       for (const KeyPlace& key : keys) {
-        if (motion.selected().contains(key) != is_selected) continue;
+        if (motion.keys().selected().contains(key) != is_selected) continue;
         const int frame = is_selected && to ? to(key.frame) : key.frame;
         if (!place_.is_in_sight(frame)) continue;
         const float x = place_.x_of(frame);
@@ -156,11 +156,11 @@ class TimeLineDrawing {
   }
 
   void draw_play_head() {
-    if (!place_.is_in_sight(editor_.motion().moment())) return;
-    const float x = place_.x_of(editor_.motion().moment());
+    if (!place_.is_in_sight(editor_.motion().play_head().moment())) return;
+    const float x = place_.x_of(editor_.motion().play_head().moment());
     const ImU32 colour = packed(look_.palette->accent);
     list_.AddLine({x, place_.area.y}, {x, bottom()}, colour, look_.px(1.6F));
-    const std::string words = moment_words(editor_.motion().moment());
+    const std::string words = moment_words(editor_.motion().play_head().moment());
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     const float half = size.x / 2 + look_.px(4);
     list_.AddRectFilled({x - half, place_.area.y}, {x + half, place_.area.y + size.y}, colour,

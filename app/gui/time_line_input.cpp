@@ -68,15 +68,16 @@ class Hand {
     }
     const int most = std::max(0, static_cast<int>(rows_.size()) - place_.rows_in_sight());
     view.first_row = std::clamp(view.first_row, 0, most);
-    if (std::exchange(state_.seen_moment, motion_.moment()) != motion_.moment())
-      view = with_moment_in_sight(view, motion_.moment(), cycle);
+    if (std::exchange(state_.seen_moment, motion_.play_head().moment()) !=
+        motion_.play_head().moment())
+      view = with_moment_in_sight(view, motion_.play_head().moment(), cycle);
   }
 
   void scrub() {
     if (io_.KeyAlt)
-      motion_.go_between(place_.moment_at(io_.MousePos.x));
+      motion_.play_head().go_between(place_.moment_at(io_.MousePos.x));
     else
-      motion_.go_to(place_.frame_at(io_.MousePos.x));
+      motion_.play_head().go_to(place_.frame_at(io_.MousePos.x));
   }
 
   /// The keys under the pointer: several in the row of all.
@@ -101,7 +102,7 @@ class Hand {
   }
 
   bool is_selected(const Keys& keys) const {
-    const Keys& selected = motion_.selected();
+    const Keys& selected = motion_.keys().selected();
     return std::includes(selected.begin(), selected.end(), keys.begin(), keys.end());
   }
 
@@ -110,7 +111,7 @@ class Hand {
     gesture_.start = io_.MousePos;
     if (io_.MousePos.y < place_.area.y + place_.ruler) {
       gesture_.kind = Kind::scrub;
-      return motion_.stop();
+      return motion_.play_head().stop();
     }
     const Keys under = keys_under_pointer();
     if (under.empty()) return press_on_nothing();
@@ -118,23 +119,24 @@ class Hand {
     if (io_.KeyShift)
       toggle(under, was_selected);
     else if (!was_selected)
-      motion_.select(under);
-    if (motion_.selected().empty()) return;
+      motion_.keys().select(under);
+    if (motion_.keys().selected().empty()) return;
     gesture_.kind = io_.KeyAlt ? Kind::stretch : Kind::keys;
     gesture_.grabbed_frame = under.begin()->frame;
-    const auto [low, high] = std::ranges::minmax_element(motion_.selected(), {}, &KeyPlace::frame);
+    const auto [low, high] =
+        std::ranges::minmax_element(motion_.keys().selected(), {}, &KeyPlace::frame);
     gesture_.low = low->frame;
     gesture_.high = high->frame;
   }
 
   void toggle(const Keys& keys, bool were_selected) {
-    Keys selected = motion_.selected();
+    Keys selected = motion_.keys().selected();
     for (const KeyPlace& key : keys)
       if (were_selected)
         selected.erase(key);
       else
         selected.insert(key);
-    motion_.select(selected);
+    motion_.keys().select(selected);
   }
 
   void press_on_nothing() {
@@ -143,13 +145,13 @@ class Hand {
     if (has_row && io_.MousePos.x < place_.area.x + place_.labels)
       return editor_.selection().select({rows_[static_cast<std::size_t>(row)].handle});
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-      motion_.go_to(place_.frame_at(io_.MousePos.x));
-      if (!has_row) return motion_.key_handles();
+      motion_.play_head().go_to(place_.frame_at(io_.MousePos.x));
+      if (!has_row) return motion_.keys().key_handles();
       const auto [handle, property] = rows_[static_cast<std::size_t>(row)];
       editor_.selection().select({handle});
-      return motion_.key_row(handle, property);
+      return motion_.keys().key_row(handle, property);
     }
-    gesture_.selected = motion_.selected();
+    gesture_.selected = motion_.keys().selected();
     if (io_.KeyShift) gesture_.before = gesture_.selected;
     gesture_.kind = Kind::band;
   }
@@ -157,7 +159,7 @@ class Hand {
   /// Nothing has changed before the end but what a band has selected.
   void take_back() {
     const TimeLineGesture given_up = std::exchange(gesture_, {});
-    if (given_up.kind == Kind::band) motion_.select(given_up.selected);
+    if (given_up.kind == Kind::band) motion_.keys().select(given_up.selected);
   }
 
   void select_band() {
@@ -174,7 +176,7 @@ class Hand {
       if (left <= x && x <= right && (is_inside(y) || is_inside(place_.y_of_all())))
         selected.insert(key);
     }
-    motion_.select(selected);
+    motion_.keys().select(selected);
   }
 
   /// A click that pulled nothing leaves the one key that it was on selected.
@@ -183,12 +185,12 @@ class Hand {
     const auto to = pulled_frame(done, place_);
     if (!to) return;
     if (to(done.grabbed_frame) != done.grabbed_frame)
-      motion_.move_selected(to, done.kind == Kind::keys && io_.KeyCtrl);
+      motion_.keys().move_selected(to, done.kind == Kind::keys && io_.KeyCtrl);
   }
 
   void open_menu() {
     const Keys under = keys_under_pointer();
-    if (!under.empty() && !is_selected(under)) motion_.select(under);
+    if (!under.empty() && !is_selected(under)) motion_.keys().select(under);
     ImGui::OpenPopup(kMenu);
   }
 
@@ -198,8 +200,9 @@ class Hand {
       if (const Command* command = find_command(name)) draw_command_item(*command, editor_);
     ImGui::Separator();
     for (const NamedEasing& row : easings())
-      if (ImGui::MenuItem(title_of(row).c_str(), nullptr, false, !motion_.selected().empty()))
-        motion_.set_easing(row.easing);
+      if (ImGui::MenuItem(title_of(row).c_str(), nullptr, false,
+                          !motion_.keys().selected().empty()))
+        motion_.keys().set_easing(row.easing);
     ImGui::EndPopup();
   }
 

@@ -28,7 +28,8 @@ bool is_in_motion(const Editor& editor) {
 /// What the button in the middle would stop.
 bool is_going(const Editor& editor) {
   if (editor.race().is_open()) return editor.race().is_playing();
-  return is_in_motion(editor) ? editor.motion().is_playing() : editor.playback().is_solving();
+  return is_in_motion(editor) ? editor.motion().play_head().is_playing()
+                              : editor.playback().is_solving();
 }
 
 void draw_transport(Editor& editor, const Look& look) {

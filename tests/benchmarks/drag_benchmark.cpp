@@ -161,8 +161,8 @@ void animate(Stage& stage) {
   for (const double x : {-0.4, 0.4, 0.0}) click(stage, stage.pixel({x, 0}));
   press(stage, Key::t);
   Motion& motion = stage.editor().motion();
-  motion.set_cycle({24, true});
-  motion.go_to(12);
+  motion.keys().set_cycle({24, true});
+  motion.play_head().go_to(12);
   stage.frame();
   const Vec2 middle = stage.pixel({0, 0});
   stage.send(PointerMoved{middle, {}});
@@ -175,7 +175,7 @@ void animate(Stage& stage) {
   do stage.frame();
   while (!motion.frames().status().is_done ||
          motion.proof().state == MotionProofStatus::State::running);
-  motion.go_to(0);
+  motion.play_head().go_to(0);
 }
 
 /// All frames are solved and proved; what a display waits for while they play.
@@ -187,10 +187,10 @@ void play(benchmark::State& state) {
   for (auto _ : state) {
     press(stage, Key::space);
     const Clock::time_point start = Clock::now();
-    int before = stage.editor().motion().frame();
+    int before = stage.editor().motion().play_head().frame();
     for (int i = 0; i < kFrames; ++i) {
       frames.push_back(stage.frame());
-      if (std::exchange(before, stage.editor().motion().frame()) != before) ++changes;
+      if (std::exchange(before, stage.editor().motion().play_head().frame()) != before) ++changes;
     }
     const std::chrono::duration<double> took = Clock::now() - start;
     state.counters["frames_a_second"] = changes / took.count();

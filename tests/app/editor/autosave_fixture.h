@@ -59,7 +59,7 @@ class AutosaveTest : public EditorTest {
     return condition();
   }
   void find_lost_work() {
-    editor_->files().find_lost_work();
+    editor_->files().recovery().find();
     if (!editor_->files().recovery().is_open()) return;
     wait_for([&] {
       const Recovery& recovery = editor_->files().recovery();

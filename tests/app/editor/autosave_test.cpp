@@ -145,7 +145,7 @@ TEST_F(AutosaveTest, ASecondProgramIsNotOfferedTheWorkOfARunningOne) {
   pass(61);
   wait_for_copies(1);
   Editor second({.state_folder = folder_.path() / "state", .wake = {}});
-  second.files().find_lost_work();
+  second.files().recovery().find();
   EXPECT_FALSE(second.files().recovery().is_open());
 }
 

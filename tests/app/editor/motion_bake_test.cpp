@@ -16,7 +16,7 @@ class BetweenFrames : public EditorMotion {
     wait_for([this] { return motion().proof().state == State::proved; });
   }
   void wait_at(double moment) {
-    motion().go_between(moment);
+    motion().play_head().go_between(moment);
     wait_for([this] { return motion().solved() != nullptr; });
     frame();
   }
@@ -40,8 +40,8 @@ TEST_F(BetweenFrames, AnEditDropsTheProofAndItComesBack) {
   animate();
   wait_for_proof();
   const auto before = motion().bake().result();
-  motion().select({{ids_[2], KeyedProperty::position, 8}});
-  motion().move_selected([](int f) { return f - 1; }, false);
+  motion().keys().select({{ids_[2], KeyedProperty::position, 8}});
+  motion().keys().move_selected([](int f) { return f - 1; }, false);
   frame();
   EXPECT_NE(motion().proof().state, State::proved);
   wait_for_proof();
@@ -52,8 +52,8 @@ TEST_F(BetweenFrames, NamesBakeNothingAnew) {
   animate();
   wait_for_proof();
   const auto before = motion().bake().result();
-  motion().select(keys_of(animation()));
-  motion().go_to(3);
+  motion().keys().select(keys_of(animation()));
+  motion().play_head().go_to(3);
   for (int i = 0; i < 3; ++i) frame();
   EXPECT_EQ(motion().bake().result(), before);
 }
@@ -75,7 +75,7 @@ TEST_F(BetweenFrames, ThePlayHeadShowsASolvedAndProvedMoment) {
   animate();
   for (const double moment : {3.5, 7.25, 0.125}) {
     wait_at(moment);
-    EXPECT_EQ(motion().moment(), moment);
+    EXPECT_EQ(motion().play_head().moment(), moment);
     EXPECT_TRUE(is_valid());
     EXPECT_TRUE(editor_->draft().proof().holds());
     const Frames frames(animation_to_solve(editor_->document()).at_rest, animation());
@@ -89,31 +89,31 @@ TEST_F(BetweenFrames, ThePlayHeadShowsASolvedAndProvedMoment) {
 
 TEST_F(BetweenFrames, StepsGoToTheFramesBeside) {
   animate();
-  motion().go_between(3.75);
-  EXPECT_EQ(motion().frame(), 4);
+  motion().play_head().go_between(3.75);
+  EXPECT_EQ(motion().play_head().frame(), 4);
   key(Key::period);
-  EXPECT_EQ(motion().moment(), 4);
-  motion().go_between(3.25);
+  EXPECT_EQ(motion().play_head().moment(), 4);
+  motion().play_head().go_between(3.25);
   key(Key::comma);
-  EXPECT_EQ(motion().moment(), 3);
-  motion().go_between(2.5);
+  EXPECT_EQ(motion().play_head().moment(), 3);
+  motion().play_head().go_between(2.5);
   key(Key::comma, kShift);
-  EXPECT_EQ(motion().moment(), 0);
+  EXPECT_EQ(motion().play_head().moment(), 0);
 }
 
 TEST_F(BetweenFrames, StaysWithinTheCycle) {
   animate();
-  motion().go_between(99);
-  EXPECT_EQ(motion().moment(), 11);
-  motion().go_between(-1);
-  EXPECT_EQ(motion().moment(), 0);
-  motion().go_between(10.5);
-  motion().set_cycle({9, false});
+  motion().play_head().go_between(99);
+  EXPECT_EQ(motion().play_head().moment(), 11);
+  motion().play_head().go_between(-1);
+  EXPECT_EQ(motion().play_head().moment(), 0);
+  motion().play_head().go_between(10.5);
+  motion().keys().set_cycle({9, false});
   frame();
-  EXPECT_EQ(motion().moment(), 8);
-  motion().set_cycle({9, true});
-  motion().go_between(8.5);
-  EXPECT_EQ(motion().moment(), 8.5) << "a loop goes on to its beginning";
+  EXPECT_EQ(motion().play_head().moment(), 8);
+  motion().keys().set_cycle({9, true});
+  motion().play_head().go_between(8.5);
+  EXPECT_EQ(motion().play_head().moment(), 8.5) << "a loop goes on to its beginning";
 }
 
 TEST_F(BetweenFrames, AnEditSetsAKeyAtTheNearestFrame) {
@@ -123,15 +123,15 @@ TEST_F(BetweenFrames, AnEditSetsAKeyAtTheNearestFrame) {
   drag(at, at + Vec2(12, 0));
   frame();
   EXPECT_EQ(key_frames(), (std::vector{0, 4, 8}));
-  EXPECT_EQ(motion().moment(), 4);
+  EXPECT_EQ(motion().play_head().moment(), 4);
 }
 
 TEST_F(BetweenFrames, PlayingGoesByFrames) {
   animate();
-  motion().go_between(3.25);
+  motion().play_head().go_between(3.25);
   key(Key::space);
   frame();
-  EXPECT_EQ(motion().moment(), motion().frame());
+  EXPECT_EQ(motion().play_head().moment(), motion().play_head().frame());
 }
 
 TEST_F(BetweenFrames, TheCentreOfASwingIsPulledByItsGripInOneStep) {

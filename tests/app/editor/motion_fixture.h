@@ -18,7 +18,7 @@ class EditorMotion : public EditorTest {
     settle();
     key(Key::t);
     ASSERT_EQ(editor_->document().handles.size(), 3U);
-    motion().set_cycle({12, false});
+    motion().keys().set_cycle({12, false});
     frame();
   }
 
@@ -46,7 +46,7 @@ class EditorMotion : public EditorTest {
   }
   /// A handle that goes up from frame 0 to frame 8.
   void animate() {
-    motion().go_to(8);
+    motion().play_head().go_to(8);
     frame();
     drag_handle(ids_[2], {0, -40});
     solve_all();

@@ -20,7 +20,7 @@ TEST_F(EditorMotion, AMovedHandleGetsAKeyAndOneAtTheStart) {
 
 TEST_F(EditorMotion, ADragAndItsKeyAreOneUndoStep) {
   const std::size_t steps = editor_->draft().history().steps().size();
-  motion().go_to(8);
+  motion().play_head().go_to(8);
   frame();
   drag_handle(ids_[2], {0, -40});
   EXPECT_EQ(editor_->draft().history().steps().size(), steps + 1);
@@ -30,7 +30,7 @@ TEST_F(EditorMotion, ADragAndItsKeyAreOneUndoStep) {
 
 TEST_F(EditorMotion, AnEditGoesOnFromTheFrame) {
   animate();
-  motion().go_to(4);
+  motion().play_head().go_to(4);
   frame();
   const Points shown = editor_->shown()->deformed;
   const Vec2 at = pixel_of(shown_at(ids_[2]));
@@ -44,8 +44,8 @@ TEST_F(EditorMotion, AnEditGoesOnFromTheFrame) {
 TEST_F(EditorMotion, AHandleWithoutKeysMovesInAllFramesWhereNothingIsRecorded) {
   animate();
   key(Key::i, kShift);
-  EXPECT_FALSE(motion().records());
-  motion().go_to(4);
+  EXPECT_FALSE(motion().keys().records());
+  motion().play_head().go_to(4);
   frame();
   drag_handle(ids_[0], {-20, 0});
   EXPECT_EQ(key_frames(), (std::vector{0, 8}));
@@ -55,15 +55,15 @@ TEST_F(EditorMotion, AHandleWithoutKeysMovesInAllFramesWhereNothingIsRecorded) {
 
 TEST_F(EditorMotion, KeysAreSetCopiedPastedAndDeletedByTheKeyboard) {
   editor_->selection().select({ids_[1]});
-  motion().go_to(3);
+  motion().play_head().go_to(3);
   key(Key::i);
   EXPECT_EQ(keys_of(animation()), (Keys{{ids_[1], KeyedProperty::position, 3}}));
-  motion().select(keys_of(animation()));
+  motion().keys().select(keys_of(animation()));
   key(Key::c, kControl);
-  motion().go_to(9);
+  motion().play_head().go_to(9);
   key(Key::v, kControl);
   EXPECT_EQ(key_frames(), (std::vector{3, 9}));
-  EXPECT_EQ(motion().selected(), (Keys{{ids_[1], KeyedProperty::position, 9}}));
+  EXPECT_EQ(motion().keys().selected(), (Keys{{ids_[1], KeyedProperty::position, 9}}));
   key(Key::del);
   EXPECT_EQ(key_frames(), std::vector{3});
   EXPECT_EQ(editor_->document().handles.size(), 3U) << "keys went, not handles";
@@ -73,8 +73,8 @@ TEST_F(EditorMotion, KeysAreSetCopiedPastedAndDeletedByTheKeyboard) {
 
 TEST_F(EditorMotion, EasingPathsAndSwingAreSteps) {
   animate();
-  motion().select(keys_of(animation()));
-  motion().set_easing(*find_easing("both"));
+  motion().keys().select(keys_of(animation()));
+  motion().keys().set_easing(*find_easing("both"));
   EXPECT_EQ(animation().tracks[0].position[0].easing, *find_easing("both"));
   editor_->selection().select({ids_[2]});
   editor_->run_command("motion.smooth");
@@ -94,7 +94,7 @@ TEST_F(EditorMotion, EasingPathsAndSwingAreSteps) {
 
 TEST_F(EditorMotion, FieldsAreOfTheFrameAndSetAKeyThere) {
   animate();
-  motion().go_to(4);
+  motion().play_head().go_to(4);
   frame();
   editor_->selection().select({ids_[2]});
   const auto& track = animation().tracks[0].position;
@@ -108,7 +108,7 @@ TEST_F(EditorMotion, FieldsAreOfTheFrameAndSetAKeyThere) {
 
 TEST_F(EditorMotion, NudgesAtAFrameAreOneStepAndOneKey) {
   animate();
-  motion().go_to(4);
+  motion().play_head().go_to(4);
   frame();
   editor_->selection().select({ids_[2]});
   const Vec2 before = editor_->shown()->handles.back().target;

@@ -14,7 +14,7 @@ TEST_F(EditorMotion, ShowsTheFrameAtThePlayHeadAndItsTargets) {
   animate();
   const auto frames = &motion().frames();
   for (const int f : {3, 11, 0, 8, 5}) {
-    motion().go_to(f);
+    motion().play_head().go_to(f);
     frame();
     EXPECT_EQ(editor_->shown()->deformed, frames->frame(f)->snapshot->deformed) << f;
     const auto expected = handles_at(animation(), editor_->document().handles, f);
@@ -31,14 +31,14 @@ TEST_F(EditorMotion, ShowsTheFrameAtThePlayHeadAndItsTargets) {
 
 TEST_F(EditorMotion, MovingAKeySolvesOnlyWhatFollowsIt) {
   animate();
-  motion().go_to(11);
+  motion().play_head().go_to(11);
   frame();
   drag_handle(ids_[2], {30, 0});
   solve_all();
   std::vector<std::shared_ptr<const SolvedFrame>> before;
   for (int f = 0; f < 12; ++f) before.push_back(motion().frames().frame(f));
-  motion().select({{ids_[2], KeyedProperty::position, 11}});
-  motion().move_selected([](int f) { return f - 1; }, false);
+  motion().keys().select({{ids_[2], KeyedProperty::position, 11}});
+  motion().keys().move_selected([](int f) { return f - 1; }, false);
   solve_all();
   for (int f = 0; f <= 8; ++f) EXPECT_EQ(motion().frames().frame(f)->snapshot, before[f]->snapshot);
   EXPECT_NE(motion().frames().frame(10)->snapshot->deformed, before[10]->snapshot->deformed);
@@ -53,7 +53,7 @@ TEST_F(EditorMotion, NamesAndDepthsSolveNothing) {
   frame();
   EXPECT_TRUE(motion().frames().status().is_done);
   EXPECT_EQ(motion().frames().frame(8), before);
-  motion().go_to(3);
+  motion().play_head().go_to(3);
   frame();
   const auto& handles = editor_->shown()->handles;
   const auto hand = std::find_if(handles.begin(), handles.end(),
@@ -63,43 +63,43 @@ TEST_F(EditorMotion, NamesAndDepthsSolveNothing) {
 
 TEST_F(EditorMotion, PlaysAtItsFrameRateAndBeginsAnew) {
   animate();
-  motion().set_fps(60);
-  motion().go_to(0);
+  motion().keys().set_fps(60);
+  motion().play_head().go_to(0);
   key(Key::space);
-  ASSERT_TRUE(motion().is_playing());
+  ASSERT_TRUE(motion().play_head().is_playing());
   EXPECT_TRUE(editor_->next_wake());
   for (int f = 1; f <= 14; ++f) {
     frame();
-    EXPECT_EQ(motion().frame(), f % 12);
+    EXPECT_EQ(motion().play_head().frame(), f % 12);
   }
   key(Key::space);
-  EXPECT_FALSE(motion().is_playing());
-  const int stays = motion().frame();
+  EXPECT_FALSE(motion().play_head().is_playing());
+  const int stays = motion().play_head().frame();
   frame();
-  EXPECT_EQ(motion().frame(), stays);
+  EXPECT_EQ(motion().play_head().frame(), stays);
 }
 
 TEST_F(EditorMotion, KeysOfTheKeyboardMoveThePlayHead) {
   animate();
-  motion().go_to(0);
+  motion().play_head().go_to(0);
   key(Key::period);
-  EXPECT_EQ(motion().frame(), 1);
+  EXPECT_EQ(motion().play_head().frame(), 1);
   key(Key::comma);
   key(Key::comma);
-  EXPECT_EQ(motion().frame(), 11) << "round the end";
+  EXPECT_EQ(motion().play_head().frame(), 11) << "round the end";
   key(Key::comma, kShift);
-  EXPECT_EQ(motion().frame(), 0);
+  EXPECT_EQ(motion().play_head().frame(), 0);
   key(Key::period, kAlt);
-  EXPECT_EQ(motion().frame(), 8);
+  EXPECT_EQ(motion().play_head().frame(), 8);
   key(Key::comma, kAlt);
-  EXPECT_EQ(motion().frame(), 0);
+  EXPECT_EQ(motion().play_head().frame(), 0);
   key(Key::period, kShift);
-  EXPECT_EQ(motion().frame(), 11);
+  EXPECT_EQ(motion().play_head().frame(), 11);
 }
 
 TEST_F(EditorMotion, OutlinesAreOfTheKeysBeforeAndAfter) {
   animate();
-  motion().go_to(4);
+  motion().play_head().go_to(4);
   frame();
   EXPECT_TRUE(motion().neighbours().empty());
   key(Key::u);
@@ -143,7 +143,7 @@ class EditorMotionOfATurn : public EditorMotion {
 
 TEST_F(EditorMotionOfATurn, TheStatusSaysByHowMuchALoopDoesNotClose) {
   animate();
-  motion().set_cycle({12, true});
+  motion().keys().set_cycle({12, true});
   solve_all();
   ASSERT_TRUE(motion().frames().status().gap);
   EXPECT_FALSE(motion().gap()) << "it closes";

@@ -68,7 +68,8 @@ class AnimationExports : public testing::Test {
 };
 
 TEST_F(AnimationExports, AreAskedForByTheKeyOfTheDialogWhileTheTimeLineIsOpen) {
-  editor().motion().set_cycle({4, false});  // Pictures as large as a dialog offers take long.
+  editor().motion().keys().set_cycle(
+      {4, false});  // Pictures as large as a dialog offers take long.
   export_by_keys(folder_ / "bar.webp");
   EXPECT_TRUE(headless_.ui().is_exporting());
   ASSERT_TRUE(headless_.wait_until([this] { return !headless_.ui().is_exporting(); }));
@@ -187,7 +188,7 @@ TEST_F(AnimationExports, CancelledLeaveNothing) {
 }
 
 TEST_F(AnimationExports, AreCancelledByTheirButton) {
-  editor().motion().set_cycle({400, false});
+  editor().motion().keys().set_cycle({400, false});
   export_by_keys(folder_ / "bar");
   ASSERT_TRUE(headless_.wait_until(
       [this] { return headless_.find_words("Writing the animation").has_value(); }));
@@ -236,8 +237,8 @@ TEST_F(AnimationExports, NeedKeysAndAreOneAtATime) {
   EXPECT_THROW(start(folder_ / "other"), Error);
   writing_->cancel();
   ASSERT_TRUE(finish());
-  editor().motion().select(keys_of(editor().motion().animation()));
-  editor().motion().delete_selected();
+  editor().motion().keys().select(keys_of(editor().motion().animation()));
+  editor().motion().keys().delete_selected();
   EXPECT_THROW(start(folder_ / "bar"), Error);
 }
 

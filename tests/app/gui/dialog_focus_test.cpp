@@ -181,7 +181,7 @@ TEST_F(DialogFocus, TabReachesEveryControlOfTheRecoveryOnceARound) {
     lost.receive(PointerReleased{Button::left, at, {}}, 0);
     lost.files().rescue();
   }
-  editor().files().find_lost_work();
+  editor().files().recovery().find();
   ASSERT_TRUE(
       headless_.wait_until([this] { return editor().files().recovery().work() != nullptr; }));
   expect_round({"Restore", "Discard…", "Later"}, 0);

@@ -172,7 +172,7 @@ TEST_P(EveryScreen, OfATimeLine) {
     headless_.ui().settings().workspace = workspace;
     run("motion.select_keys");
     run("motion.onion_skin");
-    headless_.editor().motion().go_to(workspace == Workspace::lab ? 23 : 11);
+    headless_.editor().motion().play_head().go_to(workspace == Workspace::lab ? 23 : 11);
     headless_.calm_down();
     look_at("file.export");
   }

@@ -226,7 +226,7 @@ class KilledSessions : public testing::Test {
       files.open(*folder_ / "files/scene.json");
       newest = step_of(headless.editor());
     }
-    files.find_lost_work();
+    files.recovery().find();
     if (!files.recovery().is_open()) return newest;
     EXPECT_TRUE(headless.wait_until([&] { return files.recovery().work() != nullptr; }))
         << files.recovery().problem();

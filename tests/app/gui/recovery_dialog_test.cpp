@@ -31,7 +31,7 @@ class RecoveryDialog : public testing::Test {
   }
   void start() {
     headless_.emplace(Extent{1000, 640}, UiOptions{}, options());
-    headless_->editor().files().find_lost_work();
+    headless_->editor().files().recovery().find();
     ASSERT_TRUE(recovery().is_open());
     wait_until_read();
   }
@@ -49,7 +49,7 @@ TEST_F(RecoveryDialog, ShowsTheWorkOnTheCanvasAndEnterTakesIt) {
   lose(5, "grid");
   headless_.emplace(Extent{1000, 640}, UiOptions{}, options());
   const Image before = headless_->canvas_picture();
-  editor().files().find_lost_work();
+  editor().files().recovery().find();
   wait_until_read();
   EXPECT_GT(differing_pixels(before, headless_->canvas_picture()), 20000);
   EXPECT_TRUE(editor().document().is_empty());

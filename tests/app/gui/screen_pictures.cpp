@@ -121,7 +121,7 @@ class Screens {
       headless.wait_until([&] { return headless.editor().files().image_import().is_ready(); });
     });
     shoot("recovery", [](HeadlessEditor& headless) {
-      headless.editor().files().find_lost_work();
+      headless.editor().files().recovery().find();
       headless.wait_until([&] { return headless.editor().files().recovery().work() != nullptr; });
     });
   }

@@ -83,31 +83,31 @@ TEST_F(TimeLineControls, FramesAndTheirRateAreTypedInOneStepEach) {
 }
 
 TEST_F(TimeLineControls, SpacePlaysAndTheFramesOnScreenAreThoseOfTheTimeLine) {
-  motion().go_to(0);
+  motion().play_head().go_to(0);
   headless_.key(Key::space);
-  ASSERT_TRUE(motion().is_playing());
+  ASSERT_TRUE(motion().play_head().is_playing());
   std::set<int> seen;
   ASSERT_TRUE(headless_.wait_until([&] {
     EXPECT_EQ(headless_.editor().shown()->deformed,
-              motion().frames().frame(motion().frame())->snapshot->deformed);
-    seen.insert(motion().frame());
+              motion().frames().frame(motion().play_head().frame())->snapshot->deformed);
+    seen.insert(motion().play_head().frame());
     return seen.size() == 25;
   })) << "it begins anew at its end";
   headless_.key(Key::space);
-  EXPECT_FALSE(motion().is_playing());
+  EXPECT_FALSE(motion().play_head().is_playing());
 }
 
 TEST_F(TimeLineControls, ScrubbedAtRandomFramesLookAsTheyDoWhenTheyArePlayed) {
   std::map<int, Image> played;
   for (int f = 0; f < 25; f += 3) {
-    motion().go_to(f);
+    motion().play_head().go_to(f);
     headless_.settle();
     played[f] = headless_.canvas_picture();
   }
   for (const int f : {18, 3, 24, 0, 12, 21}) {
     headless_.click({place().x_of(f), place().area.y + 6});
     headless_.calm_down();
-    ASSERT_EQ(motion().frame(), f);
+    ASSERT_EQ(motion().play_head().frame(), f);
     EXPECT_EQ(headless_.editor().shown()->deformed, motion().frames().frame(f)->snapshot->deformed);
     EXPECT_EQ(differing_pixels(headless_.canvas_picture(), played[f]), 0) << f;
   }

@@ -92,11 +92,11 @@ TEST_F(TimeLineGestures, TheMenuCopiesPastesSelectsAllAndDeletes) {
   Keys expected = before;
   expected.merge(depths({18}));
   EXPECT_EQ(all_keys(), expected);
-  EXPECT_EQ(motion().selected(), depths({18}));
+  EXPECT_EQ(motion().keys().selected(), depths({18}));
   choose_in_menu(depth_at(18), "Delete handles or keys");
   EXPECT_EQ(all_keys(), before);
   choose_in_menu(depth_at(5), "Select all keys");
-  EXPECT_EQ(motion().selected(), before);
+  EXPECT_EQ(motion().keys().selected(), before);
   EXPECT_EQ(editor().document().handles.size(), 2U);
 }
 
@@ -105,9 +105,9 @@ TEST_F(TimeLineGestures, ABandWithShiftAddsToWhatIsSelected) {
   drag(depth_at(9) + Vec2(0, -6), depth_at(11) + Vec2(0, 6), {.shift = true});
   Keys expected = depths({10});
   expected.insert({1, KeyedProperty::position, 20});
-  EXPECT_EQ(motion().selected(), expected);
+  EXPECT_EQ(motion().keys().selected(), expected);
   drag(depth_at(9) + Vec2(0, -6), depth_at(11) + Vec2(0, 6));
-  EXPECT_EQ(motion().selected(), depths({10})) << "without it nothing else stays";
+  EXPECT_EQ(motion().keys().selected(), depths({10})) << "without it nothing else stays";
 }
 
 TEST_F(TimeLineGestures, EscapeGivesUpACopyAStretchAndABand) {
@@ -115,14 +115,14 @@ TEST_F(TimeLineGestures, EscapeGivesUpACopyAStretchAndABand) {
   const std::size_t count = steps();
   drag(depth_at(10), depth_at(14), kControl, true);
   drag(depth_at(0) + Vec2(-9, -6), depth_at(11) + Vec2(0, 6));
-  ASSERT_EQ(motion().selected(), depths({0, 10}));
+  ASSERT_EQ(motion().keys().selected(), depths({0, 10}));
   drag(depth_at(10), depth_at(14), {.alt = true}, true);
   EXPECT_EQ(animation(), before);
   EXPECT_EQ(steps(), count);
   click(at(20, KeyedProperty::position));
-  const Keys selected = motion().selected();
+  const Keys selected = motion().keys().selected();
   drag(depth_at(9) + Vec2(0, -6), depth_at(11) + Vec2(0, 6), {}, true);
-  EXPECT_EQ(motion().selected(), selected);
+  EXPECT_EQ(motion().keys().selected(), selected);
 }
 
 TEST_F(TimeLineGestures, CopyStretchAndPasteAreOneStepEach) {
@@ -168,11 +168,11 @@ TEST_F(TimeLineGestures, ButtonsPlayRecordSetKeysAndShowOutlines) {
     const Rectangle& panel = headless_.ui().layout().timeline;
     click({panel.x + x, panel.y + 20});
   };
-  ASSERT_TRUE(motion().records());
+  ASSERT_TRUE(motion().keys().records());
   press(kRecordButton);
-  EXPECT_FALSE(motion().records());
+  EXPECT_FALSE(motion().keys().records());
   press(kRecordButton);
-  EXPECT_TRUE(motion().records());
+  EXPECT_TRUE(motion().keys().records());
   press(kOutlinesButton);
   EXPECT_TRUE(motion().has_onion_skin());
   press(kOutlinesButton);
@@ -187,24 +187,24 @@ TEST_F(TimeLineGestures, ButtonsPlayRecordSetKeysAndShowOutlines) {
   expect_one_step(before, count);
   const Rectangle& panel = headless_.ui().layout().timeline;
   headless_.click({panel.x + kPlayButton, panel.y + 20});
-  EXPECT_TRUE(headless_.wait_until([this] { return motion().is_playing(); }));
+  EXPECT_TRUE(headless_.wait_until([this] { return motion().play_head().is_playing(); }));
   headless_.click({panel.x + kPlayButton, panel.y + 20});
-  EXPECT_TRUE(headless_.wait_until([this] { return !motion().is_playing(); }));
+  EXPECT_TRUE(headless_.wait_until([this] { return !motion().play_head().is_playing(); }));
 }
 
 TEST_F(TimeLineGestures, KeysOfTheKeyboardRecordAndGoFromKeyToKey) {
   headless_.key(Key::i, {.shift = true});
-  EXPECT_FALSE(motion().records());
+  EXPECT_FALSE(motion().keys().records());
   headless_.key(Key::i, {.shift = true});
-  EXPECT_TRUE(motion().records());
-  motion().go_to(0);
+  EXPECT_TRUE(motion().keys().records());
+  motion().play_head().go_to(0);
   for (const int frame : {10, 16, 20, 20}) {
     headless_.key(Key::period, {.alt = true});
-    EXPECT_EQ(motion().frame(), frame);
+    EXPECT_EQ(motion().play_head().frame(), frame);
   }
   for (const int frame : {16, 10, 0, 0}) {
     headless_.key(Key::comma, {.alt = true});
-    EXPECT_EQ(motion().frame(), frame);
+    EXPECT_EQ(motion().play_head().frame(), frame);
   }
 }
 

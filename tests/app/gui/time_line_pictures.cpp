@@ -15,7 +15,7 @@ template <class Shoot>
 void draw_marks(HeadlessEditor& headless, const Shoot& shoot) {
   Motion& motion = headless.editor().motion();
   headless.key(Key::u);
-  motion.go_to(8);
+  motion.play_head().go_to(8);
   shoot("time-line-outlines");
   headless.key(Key::u);
   const Document reached = headless.editor().document();
@@ -37,7 +37,7 @@ void draw_marks(HeadlessEditor& headless, const Shoot& shoot) {
   headless.release(corner + Vec2(200, 60));
   headless.editor().draft().undo();
   headless.wait_until([&] { return motion.frames().status().is_done; }, 20);
-  motion.select(keys_of(motion.animation()));
+  motion.keys().select(keys_of(motion.animation()));
   headless.settle();
 }
 
@@ -57,9 +57,9 @@ void draw_time_line(const std::filesystem::path& folder) {
     shoot("time-line-proving");
     headless.wait_until([&] { return motion.proof().state == MotionProofStatus::State::proved; },
                         20);
-    motion.go_between(11.5);
+    motion.play_head().go_between(11.5);
     headless.wait_until([&] { return motion.solved() != nullptr; }, 20);
-    motion.select(keys_of(motion.animation()));
+    motion.keys().select(keys_of(motion.animation()));
     shoot("time-line");
     draw_marks(headless, shoot);
     if (const auto easing = headless.find_words("Linear")) headless.click(*easing);

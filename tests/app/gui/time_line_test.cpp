@@ -53,36 +53,36 @@ class TimeLine : public testing::Test {
 TEST_F(TimeLine, TheRulerMovesThePlayHead) {
   headless_.click(ruler(7));
   headless_.settle();
-  EXPECT_EQ(motion().frame(), 7);
+  EXPECT_EQ(motion().play_head().frame(), 7);
   EXPECT_EQ(headless_.editor().shown()->deformed, motion().frames().frame(7)->snapshot->deformed);
   drag(ruler(7), ruler(18));
-  EXPECT_EQ(motion().frame(), 18);
+  EXPECT_EQ(motion().play_head().frame(), 18);
   drag(ruler(18), ruler(24) + Vec2(500, 0));
-  EXPECT_EQ(motion().frame(), 24);
+  EXPECT_EQ(motion().play_head().frame(), 24);
 }
 
 TEST_F(TimeLine, AClickSelectsAKeyAndShiftOneMore) {
   headless_.click(at(10));
   headless_.settle();
-  EXPECT_EQ(motion().selected(), keys({10}));
+  EXPECT_EQ(motion().keys().selected(), keys({10}));
   headless_.hold({.shift = true});
   headless_.click(at(20));
   headless_.settle();
-  EXPECT_EQ(motion().selected(), keys({10, 20}));
+  EXPECT_EQ(motion().keys().selected(), keys({10, 20}));
   headless_.click(at(10));
   headless_.settle();
   headless_.hold({});
-  EXPECT_EQ(motion().selected(), keys({20}));
+  EXPECT_EQ(motion().keys().selected(), keys({20}));
   headless_.click(at(5));
   headless_.settle();
-  EXPECT_TRUE(motion().selected().empty());
+  EXPECT_TRUE(motion().keys().selected().empty());
 }
 
 TEST_F(TimeLine, AKeyIsMovedByItsDiamondInOneStep) {
   const std::size_t steps = headless_.editor().draft().history().steps().size();
   drag(at(10), at(13));
   EXPECT_EQ(key_frames(), (std::vector{0, 13, 20}));
-  EXPECT_EQ(motion().selected(), keys({13}));
+  EXPECT_EQ(motion().keys().selected(), keys({13}));
   EXPECT_EQ(headless_.editor().draft().history().steps().size(), steps + 1);
   headless_.key(Key::z, kControl);
   headless_.settle();
@@ -91,7 +91,7 @@ TEST_F(TimeLine, AKeyIsMovedByItsDiamondInOneStep) {
 
 TEST_F(TimeLine, SeveralKeysAreSelectedByABandAndMovedTogether) {
   drag(at(8) + Vec2(0, -6), at(22) + Vec2(0, 6));
-  EXPECT_EQ(motion().selected(), keys({10, 20}));
+  EXPECT_EQ(motion().keys().selected(), keys({10, 20}));
   drag(at(10), at(12));
   EXPECT_EQ(key_frames(), (std::vector{0, 12, 22}));
 }
@@ -116,7 +116,7 @@ TEST_F(TimeLine, ControlCopiesAKey) {
 
 TEST_F(TimeLine, AltStretchesWhatIsSelected) {
   drag(at(0) + Vec2(-9, -6), at(22) + Vec2(0, 6));
-  EXPECT_EQ(motion().selected().size(), 3U);
+  EXPECT_EQ(motion().keys().selected().size(), 3U);
   drag_with({.alt = true}, at(20), at(24));
   EXPECT_EQ(key_frames(), (std::vector{0, 12, 24}));
 }
@@ -157,7 +157,7 @@ TEST_F(TimeLine, TheRightButtonOffersEasings) {
   headless_.press(at(10), Button::right);
   headless_.release(at(10), Button::right);
   headless_.settle();
-  EXPECT_EQ(motion().selected(), keys({10}));
+  EXPECT_EQ(motion().keys().selected(), keys({10}));
   const auto hold = headless_.find_words("Hold");
   ASSERT_TRUE(hold);
   headless_.click(*hold);

@@ -72,7 +72,7 @@ TEST_F(TimeLineTracks, EveryPropertyHasARowAndItsDiamondsAreCaughtThere) {
        {std::pair{kPosition, 20}, {kAngle, 16}, {kDepth, 10}, {kWeight, 10}}) {
     headless_.click(at(frame, property));
     headless_.settle();
-    EXPECT_EQ(motion().selected(), (Keys{{1, property, frame}}));
+    EXPECT_EQ(motion().keys().selected(), (Keys{{1, property, frame}}));
   }
 }
 
@@ -81,7 +81,7 @@ TEST_F(TimeLineTracks, ADoubleClickOnARowSetsAKeyOfThatRowAlone) {
   for (const KeyedProperty property : {kPosition, kAngle, kDepth, kWeight}) {
     const std::size_t count = steps();
     double_click(at(5, property));
-    EXPECT_EQ(motion().frame(), 5);
+    EXPECT_EQ(motion().play_head().frame(), 5);
     expect_one_key(property, 5, count, before);
   }
   double_click(at(5, kDepth));

@@ -34,7 +34,7 @@ class TimeLineViews : public testing::Test {
   int frame_at_ruler(double x) {
     headless_.click({x, place().area.y + 6});
     headless_.settle();
-    return motion().frame();
+    return motion().play_head().frame();
   }
   void drag(const Vec2& from, const Vec2& to) {
     headless_.press(from);
@@ -56,14 +56,14 @@ TEST_F(TimeLineViews, WithAltThePlayHeadGoesBetweenFrames) {
   headless_.release(ruler(7.5));
   headless_.hold({});
   headless_.settle();
-  EXPECT_NEAR(motion().moment(), 7.5, 0.05);
-  EXPECT_NE(motion().moment(), motion().frame());
+  EXPECT_NEAR(motion().play_head().moment(), 7.5, 0.05);
+  EXPECT_NE(motion().play_head().moment(), motion().play_head().frame());
   ASSERT_TRUE(headless_.wait_until([this] { return motion().solved() != nullptr; }));
   headless_.settle();
   EXPECT_EQ(headless_.editor().shown()->deformed, motion().solved()->snapshot->deformed);
-  EXPECT_TRUE(headless_.find_words(moment_words(motion().moment())));
+  EXPECT_TRUE(headless_.find_words(moment_words(motion().play_head().moment())));
   drag(ruler(7.5), ruler(9.6));
-  EXPECT_EQ(motion().moment(), 10) << "without Alt it snaps";
+  EXPECT_EQ(motion().play_head().moment(), 10) << "without Alt it snaps";
 }
 
 TEST_F(TimeLineViews, StatusAndBadgeSpeakOfTheWholeAnimation) {
@@ -106,7 +106,7 @@ TEST_F(TimeLineViews, ThePlayHeadComesIntoSightWhenItIsMovedByKeys) {
   for (int i = 0; i < 6; ++i) turn_wheel({x, place().y_of(0)}, 1, kControl);
   headless_.key(Key::period, {.shift = true});
   headless_.settle();
-  EXPECT_EQ(motion().frame(), 24);
+  EXPECT_EQ(motion().play_head().frame(), 24);
   EXPECT_EQ(frame_at_ruler(place().left() + place().width()), 24);
   EXPECT_GT(frame_at_ruler(place().left()), 15);
 }
@@ -116,8 +116,8 @@ TEST_F(TimeLineViews, KeysAreCaughtWhereTheyAreSeen) {
   for (int i = 0; i < 4; ++i) turn_wheel({x, place().y_of(0)}, 1, kControl);
   headless_.click({x, place().y_of(0)});
   headless_.settle();
-  ASSERT_EQ(motion().selected().size(), 1U);
-  EXPECT_EQ(motion().selected().begin()->frame, 10);
+  ASSERT_EQ(motion().keys().selected().size(), 1U);
+  EXPECT_EQ(motion().keys().selected().begin()->frame, 10);
 }
 
 TEST_F(TimeLineViews, ItsUpperEdgeIsDraggedAndTheHeightRemembered) {
