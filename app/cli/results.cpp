@@ -20,6 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Triangles from which on it is worth starting threads that write and read the two meshes.
+constexpr Eigen::Index kSharedFrom = 5'000;
+
 /// Room for what a mesh does between its start and its targets.
 Box widened(Box box) {
   const auto margin = 0.15 * (box.max - box.min);
@@ -75,6 +78,8 @@ void Results::add_frame(const Snapshot& snapshot) {
 }
 
 void Results::finish(const Solved& solved, const JsonNode& report) {
+  const bool is_little = frames_ == 0 && solved.snapshot->triangles->cols() < kSharedFrom;
+  const WithTeam with(is_little ? nullptr : present_team());
   told_by_final_names([&] {
     stage_rest(solved, report);
     folder_.commit();
