@@ -98,10 +98,12 @@ void Results::stage_rest(const Solved& solved, const JsonNode& report) {
   });
   in_parallel(2, [&](int i) {
     const std::string_view parts[] = {vertices[i], after};
-    write_file_atomically(staged / (i == 0 ? "rest.obj" : "deformed.obj"), parts);
+    const fs::path file = staged / (i == 0 ? "rest.obj" : "deformed.obj");
+    write_new_file(file, parts, file);
   });
-  write_file_atomically(staged / "iterations.csv", iterations_csv(solved.iterations));
-  write_file_atomically(staged / "report.json", json_text(report));
+  write_new_file(staged / "iterations.csv", iterations_csv(solved.iterations),
+                 staged / "iterations.csv");
+  write_new_file(staged / "report.json", json_text(report), staged / "report.json");
   if (renderer_) draw(state, figure_, staged / "deformed.png");
 }
 
