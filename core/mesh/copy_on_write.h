@@ -27,8 +27,8 @@ class CopyOnWrite {
   }
 
   const Value& operator*() const {
-    static const Value kNone{};
-    return shared_ ? shared_->value : kNone;
+    static const Value none{};
+    return shared_ ? shared_->value : none;
   }
   const Value* operator->() const { return &**this; }
   /// The value to be changed, which no other copy has from now on. Throws std::bad_alloc.
