@@ -27,14 +27,16 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME foldless)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 # Loaded by name, where they are used.
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libcairo2, libfontconfig1, libglfw3, libosmesa6, libzip4")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS
+    "libcairo2, libfontconfig1, libgif7, libglfw3, liblzf1, libosmesa6, libpng16-16, libturbojpeg0, \
+libwebp7, libwebpmux3, libzip4")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libglib2.0-0, ffmpeg")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "${FOLDLESS_PROMISE} The editor and the command line.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfoldless-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libeigen3-dev, libopenmesh-dev, libsuitesparse-dev, libgmp-dev, libstdc++-12-dev")
+    "libeigen3-dev, libsuitesparse-dev, libgmp-dev, libstdc++-12-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
     "${FOLDLESS_PROMISE} The C++ library, static, with its headers.")
 
@@ -46,7 +48,8 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), \
-python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy, libcairo2, libosmesa6, libzip4")
+python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy, \
+libcairo2, libgif7, liblzf1, libosmesa6, libpng16-16, libturbojpeg0, libwebp7, libwebpmux3, libzip4")
 # The compiled files that Python makes come and go with the package.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     "${PROJECT_SOURCE_DIR}/cmake/packaging/postinst;${PROJECT_SOURCE_DIR}/cmake/packaging/prerm")

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <png.h>
-#include <turbojpeg.h>
-#include <webp/decode.h>
-
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -15,6 +11,7 @@
 #include "render/gif_image.h"
 #include "render/image.h"
 #include "render/jpeg_scans.h"
+#include "render/late_images.h"
 #include "render/layered/layer_formats.h"
 #include "render/png_chunks.h"
 
@@ -43,11 +40,13 @@ std::string without_extras(std::string_view file) {
   return needed;
 }
 
-/// Frees what libpng holds, whichever way the function is left.
+/// Frees what libpng holds, whichever way the function is left. Throws Error where libpng is
+/// missing, before there is anything to free.
 struct PngReader {
   png_image image{};
+  decltype(::png_image_free)* const free = png_image_free;
   PngReader() { image.version = PNG_IMAGE_VERSION; }
-  ~PngReader() { png_image_free(&image); }
+  ~PngReader() { free(&image); }
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 };

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "app/cli/calls.h"
 #include "app/cli/option_texts.h"
@@ -23,17 +28,22 @@ EditorPictureCall editor_picture_call(const CLI::App& render, const RenderCall& 
   return editor_picture(texts, call);
 }
 
-/// All subcommands with what they are given.
+/// Subcommands with what they are given: that of a name, or all where none has it. To describe the
+/// options of all of them takes as long as to solve a small scene.
 struct Subcommands {
-  explicit Subcommands(CLI::App& app) {
-    add_solve(app, solve, texts);
-    add_animate(app, animate, texts, animate_flags);
-    add_render(app, render, texts, render_flags);
-    add_mesh(app, mesh);
-    add_check(app, check);
-    add_compare(app, compare);
-    add_replay(app, replay, texts);
-    add_bench(app, bench, texts);
+  Subcommands(CLI::App& app, std::string_view name) {
+    const std::pair<const char*, std::function<void()>> all[] = {
+        {"solve", [&] { add_solve(app, solve, texts); }},
+        {"animate", [&] { add_animate(app, animate, texts, animate_flags); }},
+        {"render", [&] { add_render(app, render, texts, render_flags); }},
+        {"mesh", [&] { add_mesh(app, mesh); }},
+        {"check", [&] { add_check(app, check); }},
+        {"compare", [&] { add_compare(app, compare); }},
+        {"replay", [&] { add_replay(app, replay, texts); }},
+        {"bench", [&] { add_bench(app, bench, texts); }}};
+    const bool is_one = std::ranges::any_of(all, [&](const auto& it) { return it.first == name; });
+    for (const auto& [its_name, add] : all)
+      if (!is_one || its_name == name) add();
   }
 
   ReplayCall replay;
@@ -48,34 +58,41 @@ struct Subcommands {
   RenderFlags render_flags, animate_flags;
 };
 
+/// Of the subcommand that the command line begins with; empty where there is none.
+std::string name_called(const CLI::App& app) {
+  const std::vector<CLI::App*> called = app.get_subcommands();
+  return called.empty() ? "" : called.front()->get_name();
+}
+
 /// The call of the subcommand that was named; nothing where none was.
 std::optional<Call> named_call(const CLI::App& app, Subcommands& given) {
   const Texts& texts = given.texts;
-  if (app.got_subcommand("solve")) {
+  const std::string called = name_called(app);
+  if (called == "solve") {
     read_solve(texts, given.solve);
     return given.solve;
   }
-  if (app.got_subcommand("animate")) {
+  if (called == "animate") {
     read_animate(texts, given.animate_flags.is_transparent, given.animate);
     return given.animate;
   }
-  if (app.got_subcommand("render")) {
+  if (called == "render") {
     if (given.render_flags.is_of_editor)
       return editor_picture_call(*app.get_subcommand("render"), given.render, texts);
     read_render(texts, given.render_flags.is_transparent, given.render);
     return given.render;
   }
-  if (app.got_subcommand("mesh")) return given.mesh;
-  if (app.got_subcommand("check")) {
+  if (called == "mesh") return given.mesh;
+  if (called == "check") {
     read_check(given.check);
     return given.check;
   }
-  if (app.got_subcommand("compare")) return given.compare;
-  if (app.got_subcommand("replay")) {
+  if (called == "compare") return given.compare;
+  if (called == "replay") {
     if (!texts.size.empty()) given.replay.size = read_size(texts.size);
     return given.replay;
   }
-  if (app.got_subcommand("bench")) {
+  if (called == "bench") {
     read_bench(texts, given.bench);
     return given.bench;
   }
@@ -98,11 +115,13 @@ Call parse_arguments(int argc, const char* const* argv) {
          "--record", editor.record,
          "write what is done in the editor to a file, for replay; Shift+F12 takes a picture")
       ->type_name("SESSION");
-  Subcommands subcommands(app);
-  add_examples(app, program);
+  Subcommands subcommands(app, argc > 1 ? argv[1] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
+    const std::string called = name_called(app);
+    CLI::App& of = called.empty() ? app : *app.get_subcommand(called);
+    of.footer("Example:\n  " + example_of(called, program));
     return TextCall{app.help()};
   } catch (const CLI::ParseError& error) {
     throw Error(std::string(error.what()) + "; see " + program + " --help");

@@ -176,7 +176,8 @@ void ResultFolder::commit() {
     if (entry) manifest.push_back(*entry);
   std::ranges::sort(manifest, {}, &ResultFile::name);
   for (const ResultFile& file : manifest) expect_free(file.name);
-  write_file_atomically(staged() / kManifest, text_of(manifest));
+  write_new_file(staged() / kManifest, text_of(manifest), staged() / kManifest);
+  sync_folder(staged());
   rename_or_refuse(staged(), folder_ / kCommitted);
   sync_folder(folder_);
   take_names();

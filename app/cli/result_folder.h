@@ -64,7 +64,8 @@ class ResultFolder {
   /// The same for all frames.
   void expect_free_frames() const;
 
-  /// Where the files of the new result are to be written.
+  /// Where the files of the new result are to be written; it is new, and its names reach the disk
+  /// with commit().
   std::filesystem::path staged() const;
   /// A message about files that are staged, with the names that they would get.
   std::string with_final_names(std::string message) const;

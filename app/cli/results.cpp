@@ -20,6 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Triangles from which on it is worth starting threads that write and read the two meshes.
+constexpr Eigen::Index kSharedFrom = 5'000;
+
 /// Room for what a mesh does between its start and its targets.
 Box widened(Box box) {
   const auto margin = 0.15 * (box.max - box.min);
@@ -75,6 +78,8 @@ void Results::add_frame(const Snapshot& snapshot) {
 }
 
 void Results::finish(const Solved& solved, const JsonNode& report) {
+  const bool is_little = frames_ == 0 && solved.snapshot->triangles->cols() < kSharedFrom;
+  const WithTeam with(is_little ? nullptr : present_team());
   told_by_final_names([&] {
     stage_rest(solved, report);
     folder_.commit();
@@ -93,10 +98,12 @@ void Results::stage_rest(const Solved& solved, const JsonNode& report) {
   });
   in_parallel(2, [&](int i) {
     const std::string_view parts[] = {vertices[i], after};
-    write_file_atomically(staged / (i == 0 ? "rest.obj" : "deformed.obj"), parts);
+    const fs::path file = staged / (i == 0 ? "rest.obj" : "deformed.obj");
+    write_new_file(file, parts, file);
   });
-  write_file_atomically(staged / "iterations.csv", iterations_csv(solved.iterations));
-  write_file_atomically(staged / "report.json", json_text(report));
+  write_new_file(staged / "iterations.csv", iterations_csv(solved.iterations),
+                 staged / "iterations.csv");
+  write_new_file(staged / "report.json", json_text(report), staged / "report.json");
   if (renderer_) draw(state, figure_, staged / "deformed.png");
 }
 

@@ -230,28 +230,27 @@ CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
   return bench;
 }
 
-void add_examples(CLI::App& app, const std::string& program) {
+std::string example_of(const std::string& subcommand, const std::string& program) {
+  const std::string called = program + " " + subcommand + " ";
   const std::string solved = program + " solve " + sample() + " -o coarse_disk";
-  app.footer("Example:\n  " + program + " " + sample());
-  app.get_subcommand("solve")->footer("Example:\n  " + solved + " --frames all --render");
-  app.get_subcommand("animate")->footer("Example:\n  " + program + " animate " +
-                                        sample("assets/scenes/walk.json") +
-                                        " -o walk.foldless && " + program + " check walk.foldless");
-  app.get_subcommand("render")->footer("Example:\n  " + program + " render " + sample() +
-                                       " -o coarse_disk.png --view both");
-  app.get_subcommand("bench")->footer("Example:\n  " + program + " bench " + sample() +
-                                      " --method paper-flip,paper-noflip");
-  app.get_subcommand("mesh")->footer("Example:\n  " + program + " mesh " +
-                                     sample("assets/images/editor.png") + " -o drawing.json && " +
-                                     program + " drawing.json");
-  app.get_subcommand("compare")->footer(
-      "Example:\n  " + program + " render " + sample("assets/scenes/welcome.json") +
-      " -o picture.png && " + program + " compare picture.png picture.png --tolerance 2");
-  app.get_subcommand("replay")->footer(
-      "Example:\n  " + program + " " + sample("assets/scenes/welcome.json") +
-      " --record session.jsonl && " + program + " replay session.jsonl --shots shots");
-  app.get_subcommand("check")->footer("Example:\n  " + solved + " && " + program +
-                                      " check coarse_disk/rest.obj coarse_disk/deformed.obj");
+  if (subcommand == "solve") return solved + " --frames all --render";
+  if (subcommand == "animate")
+    return called + sample("assets/scenes/walk.json") + " -o walk.foldless && " + program +
+           " check walk.foldless";
+  if (subcommand == "render") return called + sample() + " -o coarse_disk.png --view both";
+  if (subcommand == "bench") return called + sample() + " --method paper-flip,paper-noflip";
+  if (subcommand == "mesh")
+    return called + sample("assets/images/editor.png") + " -o drawing.json && " + program +
+           " drawing.json";
+  if (subcommand == "compare")
+    return program + " render " + sample("assets/scenes/welcome.json") + " -o picture.png && " +
+           called + "picture.png picture.png --tolerance 2";
+  if (subcommand == "replay")
+    return program + " " + sample("assets/scenes/welcome.json") + " --record session.jsonl && " +
+           called + "session.jsonl --shots shots";
+  if (subcommand == "check")
+    return solved + " && " + called + "coarse_disk/rest.obj coarse_disk/deformed.obj";
+  return program + " " + sample();
 }
 
 }  // namespace foldless

@@ -26,7 +26,8 @@ CLI::App* add_compare(CLI::App& app, CompareCall& call);
 CLI::App* add_replay(CLI::App& app, ReplayCall& call, Texts& texts);
 CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts);
 
-/// Every help ends with an example that can be pasted.
-void add_examples(CLI::App& app, const std::string& program);
+/// With which the help of a subcommand ends, or of the program where the name is empty; it can be
+/// pasted.
+std::string example_of(const std::string& subcommand, const std::string& program);
 
 }  // namespace foldless

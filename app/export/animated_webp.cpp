@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <webp/encode.h>
-#include <webp/mux.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "app/export/film.h"
+#include "app/export/late_webp.h"
 #include "core/error.h"
 
 namespace foldless {
@@ -19,7 +17,8 @@ struct EncoderDeleter {
 class WebpPicture {
  public:
   explicit WebpPicture(const Image& image) {
-    if (WebPPictureInit(&picture_) == 0) throw Error("the WebP library is of another version");
+    if (WebPPictureInitInternal(&picture_, WEBP_ENCODER_ABI_VERSION) == 0)
+      throw Error("the WebP library is of another version");
     picture_.use_argb = 1;
     picture_.width = image.width;
     picture_.height = image.height;
@@ -39,7 +38,8 @@ class WebpPicture {
 class AnimatedWebp : public Film {
  public:
   explicit AnimatedWebp(const FilmOptions& options) : options_(options) {
-    if (WebPConfigInit(&config_) == 0) throw Error("the WebP library is of another version");
+    if (WebPConfigInitInternal(&config_, WEBP_PRESET_DEFAULT, 75, WEBP_ENCODER_ABI_VERSION) == 0)
+      throw Error("the WebP library is of another version");
     config_.lossless = 1;
     config_.quality = 50;  // Of a lossless picture: effort.
     config_.method = 3;
@@ -53,13 +53,12 @@ class AnimatedWebp : public Film {
   }
 
   std::string finish() override {
-    WebPData data;
-    WebPDataInit(&data);
+    WebPData data{};
     if (WebPAnimEncoderAdd(encoder_.get(), nullptr, time_of(added_), nullptr) == 0 ||
         WebPAnimEncoderAssemble(encoder_.get(), &data) == 0)
       fail();
     std::string file(reinterpret_cast<const char*>(data.bytes), data.size);
-    WebPDataClear(&data);
+    WebPFree(const_cast<std::uint8_t*>(data.bytes));
     return file;
   }
 
@@ -69,11 +68,12 @@ class AnimatedWebp : public Film {
       throw Error("WebP takes pictures of at most " + std::to_string(WEBP_MAX_DIMENSION) +
                   " pixels a side");
     WebPAnimEncoderOptions options;
-    if (WebPAnimEncoderOptionsInit(&options) == 0)
+    if (WebPAnimEncoderOptionsInitInternal(&options, WEBP_MUX_ABI_VERSION) == 0)
       throw Error("the WebP library is of another version");
     options.anim_params.loop_count = options_.loops ? 0 : 1;
     options.anim_params.bgcolor = 0;
-    encoder_.reset(WebPAnimEncoderNew(image.width, image.height, &options));
+    encoder_.reset(
+        WebPAnimEncoderNewInternal(image.width, image.height, &options, WEBP_MUX_ABI_VERSION));
     if (!encoder_) throw Error("not enough memory for an animated WebP");
   }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gif_lib.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "app/export/film.h"
 #include "app/export/palette.h"
 #include "core/error.h"
+#include "render/late_gif.h"
 
 namespace foldless {
 namespace {

@@ -222,9 +222,13 @@ void write_file_atomically(const fs::path& file, Parts parts) {
 }
 
 void write_new_file(const fs::path& file, std::string_view bytes, const fs::path& told) {
+  write_new_file(file, std::span(&bytes, 1), told);
+}
+
+void write_new_file(const fs::path& file, Parts parts, const fs::path& told) {
   Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (!out.is_open()) refuse_writing(told, errno);
-  int error = write_all(out.number(), bytes);
+  int error = write_all(out.number(), parts);
   if (error == 0 && ::fsync(out.number()) != 0) error = errno;
   if (error == 0) error = out.close();
   if (error != 0) refuse_writing(told, error);

@@ -30,6 +30,9 @@ void write_file_atomically(const std::filesystem::path& file,
 /// speaks of the file `told`, and may leave a part of it: for folders that go then.
 void write_new_file(const std::filesystem::path& file, std::string_view bytes,
                     const std::filesystem::path& told);
+/// The same with bytes that are in several places, one after the other.
+void write_new_file(const std::filesystem::path& file, std::span<const std::string_view> parts,
+                    const std::filesystem::path& told);
 
 /// Throws the Error that says why a file, or a folder, cannot be written and what to do about it.
 /// `error` as of errno.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/cholesky.h"
 
+#include "core/linear/multifrontal.h"
 #include "core/linear/ordering.h"
 #include "core/linear/single_precision_solve.h"
 #include "core/linear/sweep.h"

@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/linear/multifrontal.h"
+#include "core/linear/buffer.h"
 #include "core/linear/sparse_symmetric.h"
+#include "core/linear/symbolic_factor.h"
 
 namespace foldless {
 

@@ -47,13 +47,16 @@ class WithoutSignals {
 
 }  // namespace
 
-Team::Team(int threads) : ticket_(kClosed) {
+Team::Team(int threads) : size_(std::max(1, threads)), ticket_(kClosed) {}
+
+void Team::start_helpers() {
   const WithoutSignals without;
   try {
-    helpers_.reserve(static_cast<std::size_t>(std::max(0, threads - 1)));
-    for (int i = 1; i < threads; ++i) helpers_.emplace_back([this] { help(); });
+    helpers_.reserve(static_cast<std::size_t>(size_ - 1));
+    while (size() > static_cast<int>(helpers_.size()) + 1)
+      helpers_.emplace_back([this] { help(); });
   } catch (const std::exception&) {
-    return;  // those that are there do the work
+    size_ = static_cast<int>(helpers_.size()) + 1;  // those that are there do the work
   }
 }
 
@@ -76,6 +79,7 @@ void Team::close() { ticket_.fetch_or(kClosed, std::memory_order_relaxed); }
 
 void Team::run_job(int count, Job job) {
   const WithTeam none(nullptr);
+  if (count > 1 && helpers_.empty() && size_ > 1) start_helpers();
   if (helpers_.empty() || count < 2) {
     for (int i = 0; i < count; ++i) job.call(job.task, i);
     return;

@@ -16,14 +16,15 @@ namespace foldless {
 /// for. One thread at a time may ask.
 class Team {
  public:
-  /// Starts threads − 1 helpers, fewer where the system gives no more; they take no signals.
+  /// Of threads − 1 helpers, which start with the first job of more than one task, fewer where the
+  /// system gives no more; they take no signals.
   explicit Team(int threads);
   ~Team();
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
   /// Threads, with the one that asks.
-  int size() const { return static_cast<int>(helpers_.size()) + 1; }
+  int size() const { return size_; }
 
   /// Calls task(i) once for every 0 ≤ i < count, on any thread and in any order, and returns when
   /// all have returned. Throws what one of them threw.
@@ -39,6 +40,7 @@ class Team {
   };
 
   void run_job(int count, Job job);
+  void start_helpers();
   void open(int count);
   void close();
   /// Takes the next task of the job that is open, and runs it; false when there is none.
@@ -47,6 +49,7 @@ class Team {
   /// The ticket, when it is another than `seen`.
   std::uint64_t wait_for_work(std::uint64_t seen) const;
 
+  int size_;
   std::vector<std::thread> helpers_;
   /// The number of the job in the upper half, of its next task in the lower.
   std::atomic<std::uint64_t> ticket_;

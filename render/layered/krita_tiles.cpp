@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/layered/krita_tiles.h"
 
-#include <liblzf/lzf.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "render/layered/lzf.h"
 
 namespace foldless {
 namespace {
