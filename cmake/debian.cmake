@@ -36,7 +36,7 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "${FOLDLESS_PROMISE} The editor and the 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfoldless-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libeigen3-dev, libsuitesparse-dev, libgmp-dev, libstdc++-12-dev")
+    "libeigen3-dev, libopenmesh-dev, libsuitesparse-dev, libgmp-dev, libstdc++-12-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
     "${FOLDLESS_PROMISE} The C++ library, static, with its headers.")
 

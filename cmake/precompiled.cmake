@@ -9,12 +9,12 @@ function(foldless_precompiled_headers name)
   file(CONFIGURE OUTPUT ${source} CONTENT "// Owns the precompiled headers.\n")
   add_library(${name} OBJECT ${source})
   foldless_options(${name})
-  target_link_libraries(${name} PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json)
+  target_link_libraries(${name} PRIVATE Eigen3::Eigen OpenMeshCore nlohmann_json::nlohmann_json)
   target_precompile_headers(${name} PRIVATE
     <algorithm> <array> <chrono> <cmath> <filesystem> <fstream> <functional> <map> <memory>
     <numbers> <numeric> <optional> <random> <set> <span> <sstream> <string> <string_view> <thread>
     <utility> <variant> <vector>
-    <Eigen/Core> <Eigen/Geometry> <nlohmann/json.hpp>
+    <Eigen/Core> <Eigen/Geometry> <OpenMesh/Core/Mesh/TriConnectivity.hh> <nlohmann/json.hpp>
     ${ARGN})
 endfunction()
 

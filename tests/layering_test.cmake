@@ -54,7 +54,7 @@ endfunction()
 # {mesh, linear} <- energy <- {solve, remesh <- multires <- construct, scene} <- method <- run
 # <- api, the headers of which see nothing of the others.
 set(BASE "${PLAIN}|${CORE}|core/threads/.*|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd)?\\.hpp>")
-set(MESH "${BASE}|core/mesh/.*")
+set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
 set(FILES "${MESH}|core/files/.*")
 set(LINEAR "${BASE}|core/linear/.*")
 set(ENERGY "${MESH}|core/linear/sparse_symmetric\\.h|core/energy/.*")

@@ -9,6 +9,11 @@
 namespace foldless {
 namespace {
 
+using OpenMesh::EdgeHandle;
+using OpenMesh::FaceHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+
 std::uint64_t next_revision() {
   static std::atomic<std::uint64_t> counter{0};
   return ++counter;
@@ -20,11 +25,19 @@ MeshPair::MeshPair(const Triangles& triangles, const Points& rest)
     : MeshPair(triangles, rest, rest) {}
 
 MeshPair::MeshPair(const Triangles& triangles, Points rest, Points deformed)
-    : half_edges_(HalfEdges(triangles, static_cast<int>(rest.cols()))),
-      triangles_(triangles),
-      rest_(std::move(rest)),
-      deformed_(std::move(deformed)) {
+    : triangles_(triangles), rest_(std::move(rest)), deformed_(std::move(deformed)) {
   assert(rest_.cols() == deformed_.cols());
+  OpenMesh::TriConnectivity& connectivity = connectivity_.own();
+  const auto vertices = static_cast<std::size_t>(rest_.cols());
+  const auto faces = static_cast<std::size_t>(triangles.cols());
+  connectivity.reserve(vertices, vertices + faces + 1, faces);
+  for (Eigen::Index v = 0; v < rest_.cols(); ++v) connectivity.add_vertex();
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    [[maybe_unused]] const FaceHandle f =
+        connectivity.add_face(VertexHandle(triangles(0, t)), VertexHandle(triangles(1, t)),
+                              VertexHandle(triangles(2, t)));
+    assert(f.is_valid() && f.idx() == t);
+  }
   touch();
 }
 
@@ -44,64 +57,84 @@ void MeshPair::set_stiffness(std::shared_ptr<const Stiffness> stiffness) {
 }
 
 Edge MeshPair::edge(int e) const {
-  const int a = half_edges_->from(2 * e), b = half_edges_->to(2 * e);
+  const HalfedgeHandle h = connectivity_->halfedge_handle(EdgeHandle(e), 0);
+  const int a = connectivity_->from_vertex_handle(h).idx();
+  const int b = connectivity_->to_vertex_handle(h).idx();
   return {std::min(a, b), std::max(a, b)};
 }
 
 std::optional<int> MeshPair::find_edge(int a, int b) const {
-  const int h = half_edges_->find(a, b);
-  if (h == HalfEdges::kNone) return std::nullopt;
-  return h / 2;
+  const HalfedgeHandle h = connectivity_->find_halfedge(VertexHandle(a), VertexHandle(b));
+  if (!h.is_valid()) return std::nullopt;
+  return connectivity_->edge_handle(h).idx();
 }
 
 std::array<int, 3> MeshPair::edges_of_triangle(int t) const {
-  const int h = half_edges_->first(t);
-  return {h / 2, half_edges_->next(h) / 2, half_edges_->previous(h) / 2};
+  std::array<int, 3> edges{};
+  HalfedgeHandle h = connectivity_->halfedge_handle(FaceHandle(t));
+  for (int& e : edges) {
+    e = connectivity_->edge_handle(h).idx();
+    h = connectivity_->next_halfedge_handle(h);
+  }
+  return edges;
 }
 
-bool MeshPair::is_boundary_edge(int e) const { return half_edges_->is_boundary_edge(e); }
+bool MeshPair::is_boundary_edge(int e) const { return connectivity_->is_boundary(EdgeHandle(e)); }
 
 bool MeshPair::is_boundary_vertex(int v) const {
-  const int h = half_edges_->outgoing(v);
-  return h == HalfEdges::kNone || half_edges_->is_boundary(h);
+  return connectivity_->is_boundary(VertexHandle(v));
 }
 
-bool MeshPair::is_isolated(int v) const { return half_edges_->outgoing(v) == HalfEdges::kNone; }
+bool MeshPair::is_isolated(int v) const { return connectivity_->is_isolated(VertexHandle(v)); }
 
 Diamond MeshPair::diamond(int e) const {
-  const int ab = 2 * e, ba = HalfEdges::opposite(ab);
-  const auto apex = [this](int h) { return half_edges_->to(half_edges_->next(h)); };
-  return {half_edges_->to(ba),       half_edges_->to(ab),      apex(ab), apex(ba),
-          half_edges_->triangle(ab), half_edges_->triangle(ba)};
+  const HalfedgeHandle ab = connectivity_->halfedge_handle(EdgeHandle(e), 0);
+  const HalfedgeHandle ba = connectivity_->opposite_halfedge_handle(ab);
+  const auto apex = [this](HalfedgeHandle h) {
+    return connectivity_->to_vertex_handle(connectivity_->next_halfedge_handle(h)).idx();
+  };
+  return {connectivity_->from_vertex_handle(ab).idx(),
+          connectivity_->to_vertex_handle(ab).idx(),
+          apex(ab),
+          apex(ba),
+          connectivity_->face_handle(ab).idx(),
+          connectivity_->face_handle(ba).idx()};
 }
 
 std::vector<int> MeshPair::triangles_of_edge(int e) const {
   std::vector<int> triangles;
-  for (const int h : {2 * e, 2 * e + 1})
-    if (!half_edges_->is_boundary(h)) triangles.push_back(half_edges_->triangle(h));
+  for (const unsigned side : {0U, 1U}) {
+    const FaceHandle f =
+        connectivity_->face_handle(connectivity_->halfedge_handle(EdgeHandle(e), side));
+    if (f.is_valid()) triangles.push_back(f.idx());
+  }
   return triangles;
 }
 
 std::vector<int> MeshPair::triangles_of_vertex(int v) const {
   std::vector<int> triangles;
-  // The outgoing half-edge of a boundary vertex is its boundary half-edge, so the walk is complete.
-  const int begin = half_edges_->outgoing(v);
-  if (begin == HalfEdges::kNone) return triangles;
-  int h = begin;
+  // The outgoing halfedge of a boundary vertex is its boundary halfedge, so the walk is complete.
+  const HalfedgeHandle first = connectivity_->halfedge_handle(VertexHandle(v));
+  if (!first.is_valid()) return triangles;
+  HalfedgeHandle h = first;
   do {
-    if (!half_edges_->is_boundary(h)) triangles.push_back(half_edges_->triangle(h));
-    h = HalfEdges::opposite(half_edges_->previous(h));
-  } while (h != begin);
+    const FaceHandle f = connectivity_->face_handle(h);
+    if (f.is_valid()) triangles.push_back(f.idx());
+    h = connectivity_->opposite_halfedge_handle(connectivity_->prev_halfedge_handle(h));
+  } while (h != first);
   return triangles;
 }
 
-bool MeshPair::is_flip_legal(int e) const { return half_edges_->may_flip(e); }
+bool MeshPair::is_flip_legal(int e) const {
+  return !is_boundary_edge(e) && connectivity_->is_flip_ok(EdgeHandle(e));
+}
 
 void MeshPair::flip(int e) {
   assert(is_flip_legal(e));
-  half_edges_.own().flip(e);
-  read_triangle(half_edges_->triangle(2 * e));
-  read_triangle(half_edges_->triangle(2 * e + 1));
+  connectivity_.own().flip(EdgeHandle(e));
+  const HalfedgeHandle h = connectivity_->halfedge_handle(EdgeHandle(e), 0);
+  read_triangle(connectivity_->face_handle(h));
+  read_triangle(connectivity_->face_handle(connectivity_->opposite_halfedge_handle(h)));
   touch();
 }
 
@@ -111,7 +144,7 @@ int MeshPair::split_edge(int e, double t) {
   const int v = vertex_count();
   append_vertex(rest_.col(a) + t * (rest_.col(b) - rest_.col(a)),
                 deformed_.col(a) + t * (deformed_.col(b) - deformed_.col(a)));
-  half_edges_.own().split_edge(e, v);
+  connectivity_.own().split(EdgeHandle(e), VertexHandle(v));
   read_triangles_round(v);
   return v;
 }
@@ -124,30 +157,31 @@ int MeshPair::split_triangle(int t, const Eigen::Vector3d& barycentric) {
   };
   const int v = vertex_count();
   append_vertex(at(rest_), at(deformed_));
-  half_edges_.own().split_triangle(t, v);
+  connectivity_.own().split(FaceHandle(t), VertexHandle(v));
   read_triangles_round(v);
   return v;
 }
 
 void MeshPair::append_vertex(const Vec2& rest, const Vec2& deformed) {
-  half_edges_.own().add_vertex();
+  connectivity_.own().add_vertex();
   rest_.conservativeResize(Eigen::NoChange, rest_.cols() + 1);
   deformed_.conservativeResize(Eigen::NoChange, deformed_.cols() + 1);
   rest_.rightCols<1>() = rest;
   deformed_.rightCols<1>() = deformed;
 }
 
-void MeshPair::read_triangle(int t) {
-  int h = half_edges_->first(t);
+void MeshPair::read_triangle(FaceHandle f) {
+  HalfedgeHandle h = connectivity_->halfedge_handle(f);
   for (int corner = 0; corner < 3; ++corner) {
-    triangles_(corner, t) = half_edges_->to(h);
-    h = half_edges_->next(h);
+    triangles_(corner, f.idx()) = connectivity_->to_vertex_handle(h).idx();
+    h = connectivity_->next_halfedge_handle(h);
   }
 }
 
 void MeshPair::read_triangles_round(int v) {
-  triangles_.conservativeResize(Eigen::NoChange, half_edges_->triangle_count());
-  for (const int t : triangles_of_vertex(v)) read_triangle(t);
+  triangles_.conservativeResize(Eigen::NoChange,
+                                static_cast<Eigen::Index>(connectivity_->n_faces()));
+  for (const int t : triangles_of_vertex(v)) read_triangle(FaceHandle(t));
   touch();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -8,7 +9,6 @@
 #include <vector>
 
 #include "core/mesh/copy_on_write.h"
-#include "core/mesh/half_edges.h"
 #include "core/mesh/stiffness.h"
 #include "core/mesh/triangle.h"
 
@@ -24,7 +24,7 @@ struct Diamond {
 /// Rest mesh M and deformed mesh M′: one connectivity, two arrays of positions, so that they
 /// cannot drift apart. Vertices are dense indices; original vertices keep theirs for ever and
 /// vertices made by splits follow. Vertices that no triangle uses are kept. The units and the
-/// frame of the positions are the caller's. A copy shares the half-edges until one of the two is
+/// frame of the positions are the caller's. A copy shares the connectivity until one of the two is
 /// changed.
 class MeshPair {
  public:
@@ -37,7 +37,7 @@ class MeshPair {
   int vertex_count() const { return static_cast<int>(rest_.cols()); }
   int face_count() const { return static_cast<int>(triangles_.cols()); }
   /// Edges are dense indices too, for interior and boundary edges alike.
-  int edge_count() const { return half_edges_->edge_count(); }
+  int edge_count() const { return static_cast<int>(connectivity_->n_edges()); }
 
   const Triangles& triangles() const { return triangles_; }
   const Points& rest() const { return rest_; }
@@ -84,13 +84,13 @@ class MeshPair {
   int split_triangle(int t, const Eigen::Vector3d& barycentric);
 
  private:
-  void read_triangle(int t);
+  void read_triangle(OpenMesh::FaceHandle f);
   void read_triangles_round(int v);
   void append_vertex(const Vec2& rest, const Vec2& deformed);
   void touch();
 
-  CopyOnWrite<HalfEdges> half_edges_;
-  Triangles triangles_;  ///< those of half_edges_, in the order solvers read them
+  CopyOnWrite<OpenMesh::TriConnectivity> connectivity_;
+  Triangles triangles_;  ///< copy of the connectivity in the order solvers read it
   Points rest_;
   Points deformed_;
   std::shared_ptr<const Stiffness> stiffness_;
