@@ -180,6 +180,7 @@ Steps<> Foldless::coarse_to_fine() {
       prolonged({run.mesh(), coarse->vertices}, work_.mesh, settings_.energy);
   if (!fine) co_return;
   effort().flips += fine->flips;
+  effort().splits += fine->splits;
   work_.set_mesh(std::move(fine->mesh));
 }
 
