@@ -31,6 +31,11 @@ struct Problem {
   std::vector<Handle> handles;
   Parameters parameters;
   std::optional<OriginalMesh> original = std::nullopt;  ///< absent: `mesh` itself
+  /// From the frame of the rest mesh to that of the deformed one and of the targets.
+  Vec2 offset = Vec2::Zero();
+
+  /// Where the vertices are while nothing is deformed, 2 × #V.
+  Points at_rest() const { return mesh.rest().colwise() + offset; }
 };
 
 /// A run of one method on one problem that can be stepped, and paused for as long as one likes.

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "core/mesh/injective.h"
 #include "core/multires/holding_triangles.h"
 #include "core/multires/insert_edge.h"
+#include "core/multires/vertices_of_splits.h"
 
 namespace foldless {
 namespace {
@@ -59,10 +61,12 @@ class Prolongation {
   }
 
   std::optional<ProlongedMesh> result() {
-    // Flips make other triangles lie across other edges; none is inserted twice.
-    for (std::vector<int> edges = edges_to_insert(); !edges.empty(); edges = edges_to_insert())
-      for (const int e : edges) insert(e);
+    insert_edges();
+    if (is_valid()) return std::move(result_);
+    const int vertices = result_.mesh.vertex_count();
+    mend();
     if (!is_valid()) return std::nullopt;
+    result_.splits = result_.mesh.vertex_count() - vertices;
     return std::move(result_);
   }
 
@@ -94,21 +98,59 @@ class Prolongation {
     return kLargestRatio * largest;
   }
 
+  bool is_feasible(int t) const {
+    return std::isfinite(energy_per_area(result_.mesh, t, energy_)) ||
+           !std::isfinite(largest_energy_per_area(t));
+  }
+
   bool is_valid() const {
     const MeshPair& mesh = result_.mesh;
     for (int t = 0; t < mesh.face_count(); ++t)
-      if (std::isfinite(largest_energy_per_area(t)) &&
-          !std::isfinite(energy_per_area(mesh, t, energy_)))
-        return false;
+      if (!is_feasible(t)) return false;
     return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
   }
+
+  // Flips make other triangles lie across other edges; none is inserted twice.
+  void insert_edges() {
+    for (std::vector<int> edges = edges_to_insert(); !edges.empty(); edges = edges_to_insert())
+      for (const int e : edges) insert(e);
+  }
+
+  std::vector<int> triangles_that_lie_across() const {
+    std::vector<int> triangles;
+    for (int t = 0; t < result_.mesh.face_count(); ++t)
+      if (energy_per_area(result_.mesh, t, energy_) > largest_energy_per_area(t))
+        triangles.push_back(t);
+    return triangles;
+  }
+
+  /// With those round boundary vertices that overlap themselves.
+  std::vector<int> invalid_triangles() const {
+    const MeshPair& mesh = result_.mesh;
+    std::vector<int> triangles;
+    for (int t = 0; t < mesh.face_count(); ++t)
+      if (!is_feasible(t)) triangles.push_back(t);
+    for (const int v : overlapping_boundary_vertices(mesh.triangles(), mesh.deformed()))
+      std::ranges::copy(mesh.triangles_of_vertex(v), std::back_inserter(triangles));
+    return triangles;
+  }
+
+  // Where the fine mesh folds all the same it gets the vertices of the splits that are near.
+  void mend() {
+    splits_.emplace(coarse_, result_.mesh);
+    for (int e = 0; e < coarse_.mesh.edge_count(); ++e)
+      if (coarse_.mesh.edge(e)[1] >= first_of_splits())
+        is_inserted_[static_cast<std::size_t>(e)] = false;
+    insert_edges();
+  }
+
+  int first_of_splits() const { return static_cast<int>(coarse_.vertices.size()); }
 
   /// The coarse edges that are not edges of the fine mesh but should be.
   std::vector<int> edges_to_insert() const {
     std::vector<int> edges;
-    for (int t = 0; t < result_.mesh.face_count(); ++t)
-      if (energy_per_area(result_.mesh, t, energy_) > largest_energy_per_area(t))
-        add_edges_across(t, edges);
+    for (const int t : splits_ ? invalid_triangles() : triangles_that_lie_across())
+      add_edges_across(t, edges);
     std::erase_if(edges, [&](int e) { return is_inserted_[static_cast<std::size_t>(e)]; });
     return edges;
   }
@@ -134,15 +176,26 @@ class Prolongation {
       }
   }
 
-  // A vertex that a split made is none of the fine mesh.
   void insert(int e) {
     if (is_inserted_[static_cast<std::size_t>(e)]) return;
     is_inserted_[static_cast<std::size_t>(e)] = true;
     const auto [a, b] = coarse_.mesh.edge(e);
-    const auto count = static_cast<int>(coarse_.vertices.size());
-    if (a < count && b < count)
-      result_.flips += insert_edge(result_.mesh, coarse_.vertices[static_cast<std::size_t>(a)],
-                                   coarse_.vertices[static_cast<std::size_t>(b)]);
+    const std::optional<int> from = fine_vertex(a), to = fine_vertex(b);
+    if (from && to) result_.flips += insert_edge(result_.mesh, *from, *to);
+  }
+
+  /// Of a vertex of the coarse mesh.
+  std::optional<int> fine_vertex(int v) {
+    if (v < first_of_splits()) return coarse_.vertices[static_cast<std::size_t>(v)];
+    if (!splits_) return std::nullopt;
+    const int count = result_.mesh.vertex_count();
+    const std::optional<int> vertex = splits_->vertex_at(v);
+    if (result_.mesh.vertex_count() == count) return vertex;
+    holding_.push_back(coarse_.mesh.triangles_of_vertex(v).front());
+    Points u = result_.mesh.deformed();
+    u.col(*vertex) = coarse_.mesh.deformed().col(v);
+    result_.mesh.set_deformed(std::move(u));
+    return vertex;
   }
 
   const CoarseMesh& coarse_;
@@ -150,7 +203,8 @@ class Prolongation {
   std::vector<int> holding_;      ///< the coarse triangle of every fine vertex
   std::vector<double> per_area_;  ///< energy of every coarse triangle over its rest area
   double mean_ = 0;
-  std::vector<bool> is_inserted_;  ///< by coarse edge
+  std::vector<bool> is_inserted_;           ///< by coarse edge
+  std::optional<VerticesOfSplits> splits_;  ///< once it is mended
   ProlongedMesh result_;
 };
 

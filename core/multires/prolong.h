@@ -11,7 +11,8 @@ namespace foldless {
 /// A fine mesh with the map of a coarse one.
 struct ProlongedMesh {
   MeshPair mesh;
-  int flips = 0;  ///< of edges of the fine mesh
+  int flips = 0;   ///< of edges of the fine mesh
+  int splits = 0;  ///< vertices that the fine mesh got
 };
 
 /// The fine mesh under the map of a coarse one over the same rest domain: every vertex goes where
@@ -19,9 +20,10 @@ struct ProlongedMesh {
 /// `coarse.vertices` of the fine one and go where they are; edges of the coarse mesh may have been
 /// flipped and split since it was made. Where a fine triangle lies across coarse edges and comes
 /// out folded, or with much more of `energy` than the coarse ones, those edges become edges of the
-/// fine mesh by flips, so that the map is the coarse one there. Nothing when the fine mesh is not
-/// locally injective all the same, or leaves the feasible set, A′ > δA, where the coarse one does
-/// not.
+/// fine mesh by flips, so that the map is the coarse one there. Where the fine mesh folds or leaves
+/// the feasible set, A′ > δA, all the same, those of these edges that end at vertices which splits
+/// made become edges of it too: it gets these vertices, behind its own. Nothing when it is not
+/// locally injective then, or not feasible where the coarse one is.
 std::optional<ProlongedMesh> prolonged(const CoarseMesh& coarse, const MeshPair& fine,
                                        const EnergySettings& energy);
 

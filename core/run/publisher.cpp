@@ -64,6 +64,7 @@ Problem Publisher::part_of(const Problem& problem) const {
     throw Error("the mesh is too large or too small for double precision; scale it");
   for (Handle& handle : part.handles) handle.target = normalisation_.to_unit(handle.target);
   part.mesh.set_positions(rest, deformed);
+  part.offset = -normalisation_.scale * normalisation_.offset;
   if (const auto& stiffness = part.mesh.stiffness())
     part.mesh.set_stiffness(
         std::make_shared<const Stiffness>(stiffness->scaled(normalisation_.scale)));

@@ -26,6 +26,7 @@ constexpr int kLargestMesh = 50000;
 Problem at_rest(const Problem& problem, const Workspace& work, const Triangles& original) {
   Problem rest = problem;
   rest.mesh = MeshPair(original, work.mesh.rest().leftCols(original.maxCoeff() + 1));
+  rest.mesh.set_deformed(rest.at_rest());
   rest.mesh.set_stiffness(problem.mesh.stiffness());
   for (int i = 0; i < work.constraints.count(); ++i)
     rest.handles[static_cast<std::size_t>(i)].target = work.constraints.targets.col(i);

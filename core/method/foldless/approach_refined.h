@@ -8,7 +8,8 @@ namespace foldless {
 
 /// The approach from `start` with every edge split, for a mesh of at most 2,000 triangles that was
 /// deformed before: it goes on in the class of maps that it is in, and the other ways, which begin
-/// at rest, end in any. `work` becomes its mesh where it arrives.
+/// at rest, end in any. A free boundary gains from it too. `work` becomes its mesh where it
+/// arrives.
 Steps<Progress> approach_refined(Workspace& work, MeshPair start);
 
 }  // namespace foldless

@@ -42,6 +42,7 @@ std::optional<CoarseProblem> coarse_problem(const Problem& problem, const Coarse
       !is_injective(coarse.mesh.triangles(), coarse.mesh.deformed()))
     return std::nullopt;
   Problem small{std::move(coarse.mesh), problem.energy, problem.handles, problem.parameters};
+  small.offset = problem.offset;
   for (Handle& handle : small.handles)
     handle.vertex = static_cast<int>(std::ranges::lower_bound(coarse.vertices, handle.vertex) -
                                      coarse.vertices.begin());

@@ -62,7 +62,8 @@ Constraints with_boundary_held(const MeshPair& rest, Constraints constraints) {
   constraints.soft.resize(constraints.vertices.size(), false);
   constraints.targets.conservativeResize(Eigen::NoChange, constraints.count());
   for (Eigen::Index i = handles; i < constraints.targets.cols(); ++i)
-    constraints.targets.col(i) = rest.rest().col(constraints.vertices[static_cast<std::size_t>(i)]);
+    constraints.targets.col(i) =
+        rest.deformed().col(constraints.vertices[static_cast<std::size_t>(i)]);
   return constraints;
 }
 
@@ -82,7 +83,7 @@ std::vector<PinnedHandles> disks_to_cut(const MeshPair& rest, const Constraints&
     std::vector<int> pinned = loop;
     pinned.insert(pinned.end(), region.inside.begin(), region.inside.end());
     Points targets = constraints.targets(Eigen::all, pinned);
-    const Points now = rest.rest()(Eigen::all, vertices_of(pinned, constraints));
+    const Points now = rest.deformed()(Eigen::all, vertices_of(pinned, constraints));
     if (targets == now) continue;
     if (std::ranges::any_of(loop, [&](int handle) { return handle >= handles.count(); }))
       has_any = true;

@@ -28,6 +28,8 @@ namespace foldless {
 namespace driver {
 
 constexpr double kOffTarget = 1e-6;  ///< [D]
+/// A vertex that is no farther from where it is at rest has not been moved. [D]
+constexpr double kAtRest = 1e-10;
 constexpr int kMostSplitRounds = 3;
 constexpr double kGainOfASplitRound = 0.9;
 /// Of a mesh of at most so many triangles,
@@ -45,6 +47,12 @@ int first_removable_vertex(const Problem& problem) {
   int first = problem.original ? problem.original->vertices : problem.mesh.vertex_count();
   for (const Handle& handle : problem.handles) first = std::max(first, handle.vertex + 1);
   return first;
+}
+
+/// To rounding.
+bool is_at_rest(const Problem& problem) {
+  const double D = bounding_box_diagonal(problem.mesh.rest());
+  return (problem.mesh.deformed() - problem.at_rest()).cwiseAbs().maxCoeff() <= kAtRest * D;
 }
 
 RunSettings settings_of(const Problem& problem) {
@@ -89,7 +97,7 @@ void Foldless::set_targets(const Points& targets) {
 Steps<Outcome> Foldless::solve(Start start) {
   const bool is_drag = start == Start::drag;
   const std::optional<MeshPair> moved = co_await begin_cheaply(is_drag);
-  const bool goes_on = is_drag || problem_.mesh.deformed() != problem_.mesh.rest();
+  const bool goes_on = is_drag || !driver::is_at_rest(problem_);
   const bool is_plain = is_drag || (!moved && legs_of(work_).size() == 1);
 
   Progress progress = Progress::arrived;
@@ -118,10 +126,12 @@ Steps<Outcome> Foldless::solve(Start start) {
   if (progress == Progress::locked)
     progress = co_await split_and_approach(is_drag ? FactorUse::lagged : FactorUse::own);
 
-  if (progress == Progress::locked && goes_on)
+  // Where no boundary is held as a whole nothing can be constructed.
+  if (progress == Progress::locked && (goes_on || regions_.empty()))
     progress = co_await approach_refined(work_, is_drag ? work_.mesh : problem_.mesh);
   if (progress == Progress::locked) progress = co_await construct(work_, problem_.mesh, regions_);
-  OtherWays ways(problem_.mesh, is_drag || !was_pursuit_locked);
+  const MeshPair rest(problem_.mesh.triangles(), problem_.mesh.rest(), problem_.at_rest());
+  OtherWays ways(rest, is_drag || !was_pursuit_locked);
   while (progress == Progress::locked && !ways.have_ended())
     progress = co_await ways.try_next(work_);
   if (progress == Progress::locked) {
@@ -180,6 +190,7 @@ Steps<> Foldless::coarse_to_fine() {
       prolonged({run.mesh(), coarse->vertices}, work_.mesh, settings_.energy);
   if (!fine) co_return;
   effort().flips += fine->flips;
+  effort().splits += fine->splits;
   work_.set_mesh(std::move(fine->mesh));
 }
 
@@ -272,7 +283,7 @@ bool Foldless::is_proved_infeasible() {
 }
 
 bool Foldless::do_handles_turn_together() const {
-  return turn_together(handle_positions(work_.constraints, problem_.mesh.rest()),
+  return turn_together(handle_positions(work_.constraints, problem_.at_rest()),
                        work_.constraints.targets);
 }
 

@@ -24,7 +24,7 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
                             bool with_approach) {
   using namespace trying_ways;
   const int faces = rest.face_count();
-  const Points starts = handle_positions(constraints, rest.rest());
+  const Points starts = handle_positions(constraints, rest.deformed());
   const Points& targets = constraints.targets;
   const std::size_t first = transport_plans(starts, targets, 0).size();
   const std::vector<TransportPlan> plans =
@@ -54,12 +54,12 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
 // A transport that locks nearer to the targets than anything before goes on as an approach. What
 // comes after a cut that arrives takes seconds and hardly ever arrives as well.
 Steps<Progress> OtherWays::try_next(Workspace& work) {
-  if (!ways_) ways_ = other_ways(mesh_, work.constraints, with_approach_);
+  if (!ways_) ways_ = other_ways(rest_, work.constraints, with_approach_);
   const Way way = (*ways_)[next_++];
   if (way.kind == Way::Kind::onwards && !nearest_) co_return Progress::locked;
   ++work.system.effort().rounds;
   Workspace other = way.kind == Way::Kind::onwards ? *nearest_ : work;
-  if (way.kind != Way::Kind::onwards) other.set_mesh({mesh_.triangles(), mesh_.rest()});
+  if (way.kind != Way::Kind::onwards) other.set_mesh(rest_);
   if (way.is_refined) other.refine();
   Progress progress = co_await go(way, other);
   const bool is_transport = way.kind == Way::Kind::transport || way.kind == Way::Kind::onwards;

@@ -36,10 +36,10 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
 /// The ways one by one, on meshes of their own.
 class OtherWays {
  public:
-  /// They begin at the rest state of `mesh`, which outlives them; `with_approach`: see
+  /// They begin at `rest`, a mesh that is not deformed and outlives them; `with_approach`: see
   /// other_ways().
-  OtherWays(const MeshPair& mesh, bool with_approach)
-      : mesh_(mesh), with_approach_(with_approach) {}
+  OtherWays(const MeshPair& rest, bool with_approach)
+      : rest_(rest), with_approach_(with_approach) {}
 
   bool have_ended() const { return ways_ && next_ == ways_->size(); }
   /// Tries the next way, from which `work` becomes its mesh where it arrives, and where it locks
@@ -51,7 +51,7 @@ class OtherWays {
   Steps<Progress> go(const Way& way, Workspace& work);
   void leave_only_cuts();
 
-  const MeshPair& mesh_;
+  const MeshPair& rest_;
   bool with_approach_;
   std::optional<std::vector<Way>> ways_;  ///< from the first that is tried on
   std::size_t next_ = 0;

@@ -43,9 +43,9 @@ std::optional<WhitenedProblem> whitened_problem(const Problem& problem) {
       bounding_box_diagonal(problem.mesh.rest()) / bounding_box_diagonal(map * problem.mesh.rest());
   MeshPair mesh(problem.mesh.triangles(), map * problem.mesh.rest(), map * problem.mesh.deformed());
   if (!is_injective(mesh.triangles(), mesh.rest(), mesh.deformed())) return std::nullopt;
-  WhitenedProblem whitened{
-      {std::move(mesh), problem.energy, problem.handles, problem.parameters, problem.original},
-      map};
+  WhitenedProblem whitened{{std::move(mesh), problem.energy, problem.handles, problem.parameters,
+                            problem.original, map * problem.offset},
+                           map};
   for (Handle& handle : whitened.problem.handles) handle.target = map * handle.target;
   return whitened;
 }

@@ -161,16 +161,52 @@ struct SplitCrease {
   MeshPair fine;
 };
 
-TEST(Prolonged, IsNothingWhereACreasePassesAVertexOfASplitAndTheFineMeshFolds) {
-  const SplitCrease folding(0.05);
-  ASSERT_TRUE(test::is_valid(folding.fine) && test::is_valid(folding.coarse.mesh));
-  EXPECT_FALSE(prolonged(folding.coarse, folding.fine, energy()));
+void expect_mended(const SplitCrease& crease, double delta) {
+  ASSERT_TRUE(test::is_valid(crease.fine) && test::is_valid(crease.coarse.mesh));
+  const auto result = prolonged(crease.coarse, crease.fine, energy(delta));
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(test::is_valid(result->mesh));
+  EXPECT_EQ(result->splits, 1);
+  ASSERT_EQ(result->mesh.vertex_count(), 8);
+  EXPECT_EQ(result->mesh.rest().leftCols(7), crease.fine.rest());
+  EXPECT_EQ(Vec2(result->mesh.rest().col(7)), Vec2(0.5, 0.5));
+  EXPECT_EQ(result->mesh.deformed().col(7), crease.coarse.mesh.deformed().col(4));
+  for (const int v : {4, 5}) EXPECT_TRUE(result->mesh.find_edge(v, 7)) << "along the crease";
 }
 
-TEST(Prolonged, IsNothingWhereTheFineMeshLeavesTheFeasibleSetWithoutAFold) {
+TEST(Prolonged, WhereACreaseAtAVertexOfASplitFoldsTheFineMeshItGetsThatVertex) {
+  expect_mended(SplitCrease(0.05), 1e-5);
+}
+
+TEST(Prolonged, WhereTheFineMeshLeavesTheFeasibleSetWithoutAFoldItGetsThatVertex) {
   const SplitCrease flat(0.026);  // A′/A = 0.064
-  ASSERT_TRUE(prolonged(flat.coarse, flat.fine, energy(0.01)));
-  EXPECT_FALSE(prolonged(flat.coarse, flat.fine, energy(0.1)));
+  expect_mended(flat, 0.1);
+  const auto feasible = prolonged(flat.coarse, flat.fine, energy(0.01));
+  ASSERT_TRUE(feasible);
+  EXPECT_EQ(feasible->splits, 0) << "what is valid is not mended";
+}
+
+TEST(Prolonged, CoarseMeshesThatWereSplitComeOutToo) {
+  int splits = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    const MeshPair fine = fine_grid();
+    CoarseMesh coarse = coarsened(fine, {}, 150);
+    for (int i = 0; i < 20; ++i) {
+      const auto edges = static_cast<std::uint64_t>(coarse.mesh.edge_count());
+      coarse.mesh.split_edge(static_cast<int>(random() % edges), 0.5);
+    }
+    crease(coarse, random);
+    const auto result = prolonged(coarse, fine, energy());
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(test::is_valid(result->mesh));
+    EXPECT_EQ(result->mesh.rest().leftCols(fine.vertex_count()), fine.rest());
+    EXPECT_EQ(result->splits, result->mesh.vertex_count() - fine.vertex_count());
+    expect_shared_vertices_agree(coarse, result->mesh);
+    splits += result->splits;
+  }
+  EXPECT_GT(splits, 20) << "the claim would be empty";
 }
 
 TEST(Prolonged, IsNothingWhereTheCoarseMapFolds) {
@@ -195,6 +231,25 @@ TEST(Prolonged, IsNothingWhereABoundaryVertexOfTheCoarseMapOverlapsItself) {
   ASSERT_TRUE(prolonged(coarse, fine, energy()));
   coarse.mesh.set_deformed(test::with_notch(f.rest, 0.4, -0.1));
   EXPECT_FALSE(prolonged(coarse, fine, energy()));
+}
+
+TEST(Prolonged, WhereABoundaryVertexOverlapsItselfTheBoundaryGetsTheVertexOfASplit) {
+  const test::Fixture f = test::notched_disk(0.4);
+  const MeshPair fine(f.triangles, f.rest);
+  CoarseMesh coarse = coarsened(fine, {}, fine.vertex_count());
+  coarse.mesh.set_deformed(test::with_notch(f.rest, 0.4, 0.1));
+  const int split = coarse.mesh.split_edge(coarse.mesh.find_edge(0, 1).value(), 0.5);
+  Points u = coarse.mesh.deformed();
+  u.col(1) = 0.5 * Vec2(std::cos(0.1), -std::sin(0.1));  // across the notch, but not at its tip
+  coarse.mesh.set_deformed(u);
+  ASSERT_TRUE(test::is_valid(coarse.mesh));
+  ASSERT_EQ(overlapping_boundary_vertices(f.triangles, u), std::vector<int>{0});
+  const auto result = prolonged(coarse, fine, energy());
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(test::is_valid(result->mesh));
+  EXPECT_EQ(result->splits, 1);
+  EXPECT_EQ(result->mesh.deformed(), coarse.mesh.deformed());
+  EXPECT_TRUE(result->mesh.is_boundary_vertex(split));
 }
 
 TEST(Prolonged, ACreaseIsTheSameMapOnceItsEdgesAreInserted) {

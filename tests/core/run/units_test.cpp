@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "core/method/methods.h"
 #include "core/run/active_part.h"
+#include "core/run/publisher.h"
 #include "tests/core/run/calm_scenes.h"
 #include "tests/core/run/run_fixture.h"
 
@@ -82,6 +84,19 @@ TEST_P(Units, WhatIsIdleHasNoInfluence) {
       SCOPED_TRACE(testing::Message() << name << " × " << scale);
       EXPECT_EQ(end_of(placed(wider, scale, Vec2::Zero()), GetParam().name), expected);
     }
+  }
+}
+
+TEST(Place, OfAMeshAtRestIsToldToTheMethod) {
+  for (const auto& [name, calm] : calm_scenes()) {
+    SCOPED_TRACE(name);
+    Problem problem = placed(calm, 1.3, Vec2(3, -7));
+    problem.mesh.set_deformed(problem.mesh.rest());
+    problem.original = OriginalMesh{std::make_shared<const Triangles>(problem.mesh.triangles()),
+                                    problem.mesh.vertex_count()};
+    const Problem part = Publisher(problem, 1).part_of(problem);
+    EXPECT_NE(part.mesh.rest(), part.mesh.deformed()) << "the claim would be empty";
+    EXPECT_EQ(part.at_rest(), part.mesh.deformed());
   }
 }
 

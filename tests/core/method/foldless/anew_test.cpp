@@ -8,8 +8,12 @@
 #include <numbers>
 #include <random>
 
+#include "core/method/foldless/candidates.h"
+#include "core/method/foldless/settle.h"
 #include "core/method/satisfied.h"
 #include "tests/core/method/foldless/foldless_scenes.h"
+#include "tests/core/method/foldless/stage_runner.h"
+#include "tests/core/method/foldless/workspaces.h"
 #include "tests/support/curled_bar.h"
 
 namespace foldless {
@@ -100,6 +104,67 @@ TEST(StartAnew, HowOftenAHandIsLookedAtDoesNotChangeTheShape) {
         RecordProperty("other_shape", testing::PrintToString(reach.transpose()));
     }
   EXPECT_GE(alike, drags - 1) << "a better minimum that only a way leads to is kept";
+}
+
+/// Ends at once, with a mesh that is given.
+class AtOnce final : public SteppedMethod {
+ public:
+  explicit AtOnce(MeshPair mesh) : mesh_(std::move(mesh)) { begin(end()); }
+  const MeshPair& mesh() const override { return mesh_; }
+  void set_targets(const Points&) override { begin(end()); }
+
+ private:
+  static Steps<Outcome> end() { co_return Outcome::gradient; }
+  MeshPair mesh_;
+};
+
+/// A square held at a corner and stretched, too large for candidates.
+struct StretchedSquare {
+  StretchedSquare() {
+    const Shape shape = grid({.columns = 39, .rows = 39});
+    problem.mesh = MeshPair(shape.triangles, shape.rest);
+    problem.energy = find_density("arap");
+    problem.handles.push_back({.id = 1, .vertex = 0, .target = problem.mesh.rest().col(0)});
+  }
+  MeshPair stretched(double length) const {
+    MeshPair mesh = problem.mesh;
+    Points u = mesh.rest();
+    u.row(0) *= length;
+    mesh.set_deformed(std::move(u));
+    return mesh;
+  }
+  double merit(double length) const {
+    return merit_of(test::workspace_of(stretched(length), problem.handles).work);
+  }
+  /// A length at which E Kᵉ is that much.
+  double length_of(double merit_sought) const {
+    double shorter = 1, longer = 4;
+    for (int i = 0; i < 30; ++i) {
+      const double middle = (shorter + longer) / 2;
+      (merit(middle) < merit_sought ? shorter : longer) = middle;
+    }
+    return shorter;
+  }
+  Problem problem;
+};
+
+TEST(StartAnew, TheShapeFromRestIsTakenUpTo15PercentAboveThatOfTheWay) {
+  const StretchedSquare square;
+  ASSERT_GT(square.problem.mesh.face_count(), kLargestWithCandidates);
+  const MeshPair of_the_way = square.stretched(1.5);
+  for (const auto& [factor, is_taken] : {std::pair(1.03, true), {1.14, true}, {1.16, false}}) {
+    SCOPED_TRACE(factor);
+    const MeshPair from_rest = square.stretched(square.length_of(factor * square.merit(1.5)));
+    test::OwnWorkspace own = test::workspace_of(of_the_way, square.problem.handles);
+    const Solver solver = [&](const Problem& rest) {
+      EXPECT_EQ(rest.mesh.deformed(), square.problem.mesh.rest());
+      return std::make_unique<AtOnce>(from_rest);
+    };
+    ASSERT_TRUE(test::StageRunner(
+                    start_anew(own.work, square.problem, square.problem.mesh.triangles(), solver))
+                    .run());
+    EXPECT_EQ(own.work.mesh.deformed(), (is_taken ? from_rest : of_the_way).deformed());
+  }
 }
 
 TEST(StartAnew, ABarWhoseTipWentRoundItsHeldEndKeepsNoCurl) {

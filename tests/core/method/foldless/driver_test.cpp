@@ -57,6 +57,29 @@ TEST(Driver, HandlesThatMoveTogetherAreApproachedFromThereAndThenTwiceFromTheMes
   EXPECT_GE(twice_from_problem, 6);
 }
 
+// Run brings targets and deformed meshes to the origin, but not the rest mesh.
+TEST(Driver, ARunFromRestIsNoneOfADeformedMeshWhereverTheRestMeshLies) {
+  int transported = 0;
+  for (const std::uint64_t seed : {1, 2, 4, 5, 7, 8}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Problem problem = trading_places(seed);
+    problem.offset = Vec2(0.5, -0.25);
+    problem.mesh.set_deformed(problem.at_rest());
+    for (Handle& handle : problem.handles) handle.target += problem.offset;
+    Foldless method(problem);
+    std::optional<Iteration> record;
+    for (int step = 0, splits = 0; step < 1000 && (record = method.step({})); ++step) {
+      if (record->phase == Phase::transport) {
+        ++transported;
+        break;
+      }
+      EXPECT_LT(record->splits - splits, problem.mesh.edge_count() / 2) << "it was refined";
+      splits = record->splits;
+    }
+  }
+  EXPECT_GE(transported, 3) << "the claim would be empty";
+}
+
 TEST(Driver, AfterALockedPursuitOfADragItGoesOnFromTheMeshAsItIs) {
   int approaches = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -112,6 +112,29 @@ TEST(OtherWays, AfterACutThatArrivesOnlyCutsAreLeft) {
   EXPECT_EQ(arrived, 1) << "the claim would be empty";
 }
 
+TEST(OtherWays, BeginWhereTheMeshIsAtRestWhereverTheRestMeshLies) {
+  const Vec2 offset(0.5, -0.25);
+  test::OwnWorkspace here = test::held_frame(1), there = test::held_frame(1);
+  const MeshPair rest = here.work.mesh;
+  const MeshPair placed(rest.triangles(), rest.rest(), rest.rest().colwise() + offset);
+  there.work.set_mesh(placed);
+  there.work.constraints.targets.colwise() += offset;
+  for (const auto boundary : {KnownBoundary::held, KnownBoundary::at_rest})
+    EXPECT_EQ(handles_to_cut(placed, there.work.constraints, boundary),
+              handles_to_cut(rest, here.work.constraints, boundary));
+  const Constraints idle = with_targets(there.work.constraints, there.work.handles());
+  EXPECT_EQ(handles_to_cut(placed, idle, KnownBoundary::held), 0);
+  OtherWays ways(rest, false), of_placed(placed, false);
+  test::StageRunner<Progress> runner(ways.try_next(here.work)),
+      of_other(of_placed.try_next(there.work));
+  for (int step = 0; step < 5; ++step) {
+    const auto record = runner.step(), other = of_other.step();
+    ASSERT_TRUE(record && other);
+    EXPECT_NEAR(record->energy, other->energy, 1e-6 * record->energy);
+    EXPECT_NEAR(record->handle_error_squared, other->handle_error_squared, 1e-9);
+  }
+}
+
 TEST(OtherWays, OfALargeMeshAreFewer) {
   for (const int columns : {30, 32, 49, 51}) {
     const Shape shape = grid({.columns = columns, .rows = columns, .width = 0.7, .height = 0.7});
