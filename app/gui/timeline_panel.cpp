@@ -80,13 +80,14 @@ void draw_marks(const Editor& editor, const PanelContext& context) {
     if (column >= columns.size() || columns[column] == split) continue;
     columns[column] = has_split ? split : flipped;
   }
-  for (std::size_t first = 0, last; first < columns.size(); first = last) {
-    for (last = first + 1; last < columns.size() && columns[last] == columns[first]; ++last) {
-    }
+  for (std::size_t first = 0; first < columns.size();) {
+    std::size_t last = first + 1;
+    while (last < columns.size() && columns[last] == columns[first]) ++last;
     if (columns[first] != 0)
       ImGui::GetWindowDrawList()->AddRectFilled(
           {low.x + static_cast<float>(first), high.y - look.px(4)},
           {low.x + static_cast<float>(last), high.y}, columns[first]);
+    first = last;
   }
 }
 
