@@ -43,6 +43,7 @@ def public_members(name, body, access):
         statement = re.sub(r"\b(public|protected|private)\s*:", "", statement).strip()
         if access != "public" or re.match(r"(using|friend|struct|class|enum|template|static_assert)\b", statement):
             continue
+        statement = statement.split("=")[0]
         found = re.search(r"(\w+)\s*\(", statement) or re.search(r"(\w+)\s*(=|\{|$)", statement)
         if found and found.group(1) not in (name, "operator") and "operator" not in statement:
             members.add(found.group(1))

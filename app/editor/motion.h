@@ -62,11 +62,10 @@ class Motion {
   MotionProofStatus::State proof_ = MotionProofStatus::State::none;  ///< that is on screen
   bool is_open_ = false;
   bool has_onion_skin_ = false;
-  std::shared_ptr<const SolvedFrame>
-      solved_between_;                        ///< at the play head, between frames; or null
-  std::shared_ptr<const SolvedFrame> shown_;  ///< that is on screen
-  std::shared_ptr<const Animation> of_;       ///< the animation that it was shown for
-  std::shared_ptr<const Shape> original_;     ///< of the document that was seen last
+  std::shared_ptr<const SolvedFrame> solved_between_;  ///< null: not solved, or at a frame
+  std::shared_ptr<const SolvedFrame> shown_;           ///< that is on screen
+  std::shared_ptr<const Animation> of_;                ///< the animation that it was shown for
+  std::shared_ptr<const Shape> original_;              ///< of the document that was seen last
 };
 
 }  // namespace foldless

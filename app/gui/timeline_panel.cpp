@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "app/gui/choice_list.h"
@@ -70,13 +71,14 @@ void draw_marks(const Editor& editor, const PanelContext& context) {
   const float width = high.x - low.x - 4;
   const float knob = std::max(width / count, ImGui::GetStyle().GrabMinSize);
   const float margin = 2 + knob / 2, step = (width - knob) / (count - 1);
-  // The colour of every column of pixels, that runs of one colour are drawn at once.
-  std::vector<ImU32> columns(static_cast<std::size_t>(std::max(width + 4, 0.0F)) + 1);
+  // The colour of every column as wide as a mark, that runs of one colour are drawn at once.
+  const float mark = std::max(1.0F, std::round(look.px(1)));
+  std::vector<ImU32> columns(static_cast<std::size_t>(std::max(width + 4, 0.0F) / mark) + 1);
   for (std::size_t i = 0; i < iterations.size(); ++i) {
     const Iteration before = i > 0 ? iterations[i - 1] : Iteration{};
     const bool has_split = iterations[i].splits > before.splits;
     if (!has_split && iterations[i].flips <= before.flips) continue;
-    const auto column = static_cast<std::size_t>(margin + step * static_cast<float>(i));
+    const auto column = static_cast<std::size_t>((margin + step * static_cast<float>(i)) / mark);
     if (column >= columns.size() || columns[column] == split) continue;
     columns[column] = has_split ? split : flipped;
   }
@@ -85,8 +87,8 @@ void draw_marks(const Editor& editor, const PanelContext& context) {
     while (last < columns.size() && columns[last] == columns[first]) ++last;
     if (columns[first] != 0)
       ImGui::GetWindowDrawList()->AddRectFilled(
-          {low.x + static_cast<float>(first), high.y - look.px(4)},
-          {low.x + static_cast<float>(last), high.y}, columns[first]);
+          {low.x + mark * static_cast<float>(first), high.y - look.px(4)},
+          {low.x + mark * static_cast<float>(last), high.y}, columns[first]);
     first = last;
   }
 }

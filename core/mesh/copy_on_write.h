@@ -6,8 +6,9 @@
 
 namespace foldless {
 
-/// A value whose copies share it until one of them changes it. Copies may be used on different
-/// threads at the same time, as if they did not share anything.
+/// A value whose copies share it until one of them changes it. With a count of its own, for whether
+/// others have a std::shared_ptr cannot be asked in step with what they did before they gave it up.
+/// Copies may be used on different threads at the same time, as if they did not share anything.
 template <class Value>
 class CopyOnWrite {
  public:

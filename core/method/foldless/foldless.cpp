@@ -130,8 +130,7 @@ Steps<Outcome> Foldless::solve(Start start) {
   if (progress == Progress::locked && (goes_on || regions_.empty()))
     progress = co_await approach_refined(work_, is_drag ? work_.mesh : problem_.mesh);
   if (progress == Progress::locked) progress = co_await construct(work_, problem_.mesh, regions_);
-  const MeshPair rest(problem_.mesh.triangles(), problem_.mesh.rest(), problem_.at_rest());
-  OtherWays ways(rest, is_drag || !was_pursuit_locked);
+  OtherWays ways(problem_, is_drag || !was_pursuit_locked);
   while (progress == Progress::locked && !ways.have_ended())
     progress = co_await ways.try_next(work_);
   if (progress == Progress::locked) {

@@ -54,7 +54,10 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
 // A transport that locks nearer to the targets than anything before goes on as an approach. What
 // comes after a cut that arrives takes seconds and hardly ever arrives as well.
 Steps<Progress> OtherWays::try_next(Workspace& work) {
-  if (!ways_) ways_ = other_ways(rest_, work.constraints, with_approach_);
+  if (!ways_) {
+    rest_ = {problem_.mesh.triangles(), problem_.mesh.rest(), problem_.at_rest()};
+    ways_ = other_ways(rest_, work.constraints, with_approach_);
+  }
   const Way way = (*ways_)[next_++];
   if (way.kind == Way::Kind::onwards && !nearest_) co_return Progress::locked;
   ++work.system.effort().rounds;

@@ -6,6 +6,7 @@
 
 #include "core/method/foldless/cut_to_handles.h"
 #include "core/method/foldless/transport.h"
+#include "core/method/method.h"
 
 namespace foldless {
 
@@ -36,10 +37,11 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
 /// The ways one by one, on meshes of their own.
 class OtherWays {
  public:
-  /// They begin at `rest`, a mesh that is not deformed and outlives them; `with_approach`: see
-  /// other_ways().
-  OtherWays(const MeshPair& rest, bool with_approach)
-      : rest_(rest), with_approach_(with_approach) {}
+  /// They begin at the rest state of the mesh of `problem`, which outlives them; `with_approach`:
+  /// see other_ways(). Costs nothing before the first is tried: most solves, and nearly all frames
+  /// of a drag, try none.
+  OtherWays(const Problem& problem, bool with_approach)
+      : problem_(problem), with_approach_(with_approach) {}
 
   bool have_ended() const { return ways_ && next_ == ways_->size(); }
   /// Tries the next way, from which `work` becomes its mesh where it arrives, and where it locks
@@ -51,9 +53,10 @@ class OtherWays {
   Steps<Progress> go(const Way& way, Workspace& work);
   void leave_only_cuts();
 
-  const MeshPair& rest_;
+  const Problem& problem_;
   bool with_approach_;
-  std::optional<std::vector<Way>> ways_;  ///< from the first that is tried on
+  MeshPair rest_;                         ///< not deformed; from the first that is tried on
+  std::optional<std::vector<Way>> ways_;  ///< likewise
   std::size_t next_ = 0;
   std::optional<Workspace> nearest_;  ///< where transports locked
 };

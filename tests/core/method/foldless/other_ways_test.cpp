@@ -96,9 +96,10 @@ TEST(OtherWays, AfterACutThatArrivesOnlyCutsAreLeft) {
   int arrived = 0;
   for (std::uint64_t seed = 1; seed <= 30 && arrived == 0; ++seed) {
     test::OwnWorkspace own = test::held_frame(seed);
-    const MeshPair rest = own.work.mesh;
+    Problem problem;
+    problem.mesh = own.work.mesh;
     const std::vector<Way> all = ways_of(own.work);
-    OtherWays ways(rest, false);
+    OtherWays ways(problem, false);
     for (std::size_t i = 0; all[i].kind != Kind::onwards; ++i) {
       const Progress progress = test::run_to_the_end(ways.try_next(own.work));
       if (progress != Progress::arrived) continue;
@@ -124,7 +125,11 @@ TEST(OtherWays, BeginWhereTheMeshIsAtRestWhereverTheRestMeshLies) {
               handles_to_cut(rest, here.work.constraints, boundary));
   const Constraints idle = with_targets(there.work.constraints, there.work.handles());
   EXPECT_EQ(handles_to_cut(placed, idle, KnownBoundary::held), 0);
-  OtherWays ways(rest, false), of_placed(placed, false);
+  Problem problem;
+  problem.mesh = rest;
+  Problem of_place = problem;
+  of_place.offset = offset;
+  OtherWays ways(problem, false), of_placed(of_place, false);
   test::StageRunner<Progress> runner(ways.try_next(here.work)),
       of_other(of_placed.try_next(there.work));
   for (int step = 0; step < 5; ++step) {
@@ -157,9 +162,10 @@ TEST(OtherWays, KeepTheNearestMeshOnShowAndGoOnFromTheNearestLockOfATransport) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     test::OwnWorkspace own = frame_with_a_free_corner(seed);
     Workspace& work = own.work;
-    const MeshPair rest = work.mesh;
+    Problem problem;
+    problem.mesh = work.mesh;
     const std::vector<Way> all = ways_of(work);
-    OtherWays ways(rest, false);
+    OtherWays ways(problem, false);
     double nearest = std::numeric_limits<double>::infinity(), last = nearest;
     for (std::size_t i = 0; all[i].kind != Kind::onwards || !all[i].is_refined; ++i) {
       const double shown = work.error();
