@@ -35,6 +35,9 @@ DrawState::~DrawState() {
   glUseProgram(0);
 }
 
+NoBlending::NoBlending() { glDisable(GL_BLEND); }
+NoBlending::~NoBlending() { glEnable(GL_BLEND); }
+
 void clear_canvas(const glm::vec4& colour) {
   glClearColor(colour.r * colour.a, colour.g * colour.a, colour.b * colour.a, colour.a);
   glClear(GL_COLOR_BUFFER_BIT);

@@ -30,6 +30,16 @@ class DrawState {
   DrawState& operator=(const DrawState&) = delete;
 };
 
+/// Draws over what is there, for as long as it lives: with colours that hide it, which need not be
+/// mixed with it (for a software rasteriser a tenth of a frame).
+class NoBlending {
+ public:
+  NoBlending();
+  ~NoBlending();
+  NoBlending(const NoBlending&) = delete;
+  NoBlending& operator=(const NoBlending&) = delete;
+};
+
 /// Fills the viewport of the DrawState; `colour` has straight alpha.
 void clear_canvas(const glm::vec4& colour);
 

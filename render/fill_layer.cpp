@@ -59,6 +59,12 @@ void upload_colours(const Texture& texture, std::size_t triangles, const ColourO
                GL_UNSIGNED_BYTE, texels.data());
 }
 
+/// What fill.vert counts periods of, in the mesh's local frame.
+void set_pattern(const ShaderProgram& program, const glm::vec2& origin, const glm::dvec2& period) {
+  program.set("pattern_origin", origin);
+  program.set("pattern_size", glm::vec2(period));
+}
+
 }  // namespace
 
 FillLayer::FillLayer(const std::filesystem::path& shader_folder)
@@ -108,28 +114,28 @@ void FillLayer::draw_board(const Frame& frame, const MeshLayer& mesh, std::size_
                            const Checkerboard& board) const {
   use_in_frame(board_, frame);
   const glm::dvec2 extent = (mesh.rest_box().max - mesh.rest_box().min) / mesh.local().unit;
-  board_.set("box_min", mesh.local().to_local(mesh.rest_box().min));
-  board_.set("square_size", static_cast<float>(std::max(extent.x, extent.y) / board.squares));
-  board_.set("light", board.light);
-  board_.set("dark", board.dark);
+  const double period = 2 * std::max(extent.x, extent.y) / board.squares;
+  set_pattern(board_, mesh.local().to_local(mesh.rest_box().min), glm::dvec2(period));
+  board_.set("middle", 0.5F * (board.light + board.dark));
+  board_.set("half_difference", 0.5F * (board.light - board.dark));
+  const NoBlending opaque;
   mesh.draw_triangles(sheet);
 }
 
 void FillLayer::use_image(const Piece& piece, const MeshLayer& mesh) const {
   const Box& whole = image_place_ ? *image_place_ : mesh.rest_box();
   const glm::dvec2 extent = whole.max - whole.min;
-  image_.set("box_min", mesh.local().to_local(whole.min + piece.within.min * extent));
-  image_.set("box_size",
-             glm::vec2((piece.within.max - piece.within.min) * extent / mesh.local().unit));
+  set_pattern(image_, mesh.local().to_local(whole.min + piece.within.min * extent),
+              (piece.within.max - piece.within.min) * extent / mesh.local().unit);
   piece.image->bind();
 }
 
 void FillLayer::draw_folded(const Frame& frame, const MeshLayer& mesh, std::size_t sheet,
                             const glm::vec4& colour) const {
   use_in_frame(board_, frame);
-  board_.set("square_size", 1.0F);
-  board_.set("light", colour);
-  board_.set("dark", colour);
+  set_pattern(board_, glm::vec2(0), glm::dvec2(1));
+  board_.set("middle", colour);
+  board_.set("half_difference", glm::vec4(0));
   glEnable(GL_CULL_FACE);
   glCullFace(GL_FRONT);
   mesh.draw_triangles(sheet);
@@ -153,6 +159,7 @@ void FillLayer::upload_stiffness(const MeshLayer& mesh, std::span<const float> f
 }
 
 void FillLayer::draw_heat(const Frame& frame, const MeshLayer& mesh, std::size_t sheet) const {
+  const NoBlending opaque;
   draw_colours(frame, mesh, sheet, heat_colours_);
 }
 

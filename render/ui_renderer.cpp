@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "render/draw_state.h"
 #include "render/gl_objects.h"
 #include "render/shader.h"
 
@@ -70,44 +71,65 @@ void set_display(const ShaderProgram& program, const ImDrawData& data) {
   program.set("display_size", glm::vec2(data.DisplaySize.x, data.DisplaySize.y));
 }
 
+/// What a triangle needs: what is cheaper to draw comes later.
+enum class Paint {
+  atlas,   ///< a picture or a letter
+  plain,   ///< colour alone
+  opaque,  ///< colour alone that hides what is below
+};
+
 /// Triangles of a command that follow each other, as indices of it.
 struct TriangleRun {
   unsigned int first;
   unsigned int count;
-  bool is_fill;  ///< needs no atlas
+  Paint paint;
 };
 
-/// A command in runs: those without a picture that cover much (backgrounds, curves, bars) apart.
-std::vector<TriangleRun> runs_of(const ImDrawCmd& command, const ImDrawList& list,
-                                 const ImVec2& white) {
-  constexpr float kMuch = 3000;  // [square pixels] what another program costs is less
-  std::vector<TriangleRun> runs;
-  const auto corner = [&](unsigned int i) -> const ImDrawVert& {
+/// The triangles of a command.
+struct CommandTriangles {
+  const ImDrawCmd& command;
+  const ImDrawList& list;
+  ImVec2 white;  ///< where the atlas is
+
+  const ImDrawVert& corner(unsigned int i) const {
     const auto index =
         static_cast<unsigned int>(list.IdxBuffer[static_cast<int>(command.IdxOffset + i)]);
     return list.VtxBuffer[static_cast<int>(index + command.VtxOffset)];
-  };
-  const auto is_white = [&](const ImDrawVert& v) { return v.uv.x == white.x && v.uv.y == white.y; };
+  }
+  /// Of the one that begins at index `i`.
+  Paint paint(unsigned int i) const {
+    bool is_opaque = true;
+    for (unsigned int k = i; k < i + 3; ++k) {
+      const ImDrawVert& v = corner(k);
+      if (v.uv.x != white.x || v.uv.y != white.y) return Paint::atlas;
+      is_opaque = is_opaque && v.col >> IM_COL32_A_SHIFT == 255;
+    }
+    return is_opaque ? Paint::opaque : Paint::plain;
+  }
+  float doubled_area(unsigned int i) const {
+    const ImVec2 &a = corner(i).pos, &b = corner(i + 1).pos, &c = corner(i + 2).pos;
+    return std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  }
+};
+
+/// A command in runs: those without a picture that cover much (backgrounds, curves, bars) apart.
+std::vector<TriangleRun> runs_of(const CommandTriangles& triangles) {
+  constexpr float kMuch = 3000;  // [square pixels] what another program costs is less
+  std::vector<TriangleRun> runs;
   const auto add = [&runs](const TriangleRun& run) {
-    if (runs.empty() || runs.back().is_fill != run.is_fill)
+    if (runs.empty() || runs.back().paint != run.paint)
       runs.push_back(run);
     else
       runs.back().count += run.count;
   };
-  for (unsigned int i = 0; i < command.ElemCount;) {
+  const unsigned int end = triangles.command.ElemCount;
+  for (unsigned int i = 0; i < end;) {
     const unsigned int first = i;
+    const Paint paint = triangles.paint(i);
     float doubled_area = 0;
-    for (; i < command.ElemCount; i += 3) {
-      const ImDrawVert &a = corner(i), &b = corner(i + 1), &c = corner(i + 2);
-      if (!is_white(a) || !is_white(b) || !is_white(c)) break;
-      doubled_area += std::abs((b.pos.x - a.pos.x) * (c.pos.y - a.pos.y) -
-                               (b.pos.y - a.pos.y) * (c.pos.x - a.pos.x));
-    }
-    if (i > first) add({first, i - first, doubled_area > 2 * kMuch});
-    if (i < command.ElemCount) {
-      add({i, 3, false});
-      i += 3;
-    }
+    for (; i < end && triangles.paint(i) == paint; i += 3)
+      doubled_area += triangles.doubled_area(i);
+    add({first, i - first, doubled_area > 2 * kMuch ? paint : Paint::atlas});
   }
   return runs;
 }
@@ -140,10 +162,14 @@ void UiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data,
               static_cast<GLsizei>(clip.max.y - clip.min.y));
     const auto texture = static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.TextureId));
     glBindTexture(GL_TEXTURE_2D, texture);
-    for (const TriangleRun& run : runs_of(command, list, resources_->white)) {
-      if (run.is_fill) resources_->fill.use();
-      draw_run(command, run);
-      if (run.is_fill) resources_->program.use();
+    for (const TriangleRun& run : runs_of({command, list, resources_->white})) {
+      (run.paint == Paint::atlas ? resources_->program : resources_->fill).use();
+      if (run.paint != Paint::opaque) {
+        draw_run(command, run);
+      } else {
+        const NoBlending opaque;
+        draw_run(command, run);
+      }
     }
   }
 }

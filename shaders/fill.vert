@@ -6,10 +6,12 @@ layout(location = 1) in vec2 rest;
 
 uniform vec2 clip_scale;
 uniform vec2 clip_offset;
+uniform vec2 pattern_origin;  // in the rest plane
+uniform vec2 pattern_size;    // of one period
 
-out vec2 rest_position;
+out vec2 pattern_position;    // periods from the origin
 
 void main() {
-  rest_position = rest;
+  pattern_position = (rest - pattern_origin) / pattern_size;
   gl_Position = vec4(position * clip_scale + clip_offset, 0.0, 1.0);
 }
