@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 
-in vec2 pattern_position;  // a period is two squares
+noperspective in vec2 pattern_position;  // a period is two squares
 
 uniform vec4 middle;           // of the light and the dark colour
 uniform vec4 half_difference;  // light less dark

@@ -9,7 +9,8 @@ uniform vec2 clip_offset;
 uniform vec2 pattern_origin;  // in the rest plane
 uniform vec2 pattern_size;    // of one period
 
-out vec2 pattern_position;    // periods from the origin
+// Nothing is farther away than the rest, which saves a division a pixel.
+noperspective out vec2 pattern_position;    // periods from the origin
 
 void main() {
   pattern_position = (rest - pattern_origin) / pattern_size;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 
-in vec2 pattern_position;  // in the picture, y up
+noperspective in vec2 pattern_position;  // in the picture, y up
 
 uniform sampler2D image;  // premultiplied, first row at the top
 

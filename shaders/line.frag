@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 
-in vec2 along_across;
+noperspective in vec2 along_across;
 flat in float segment_length;
 
 uniform float half_width;   // pixels

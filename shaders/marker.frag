@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 
-in vec2 from_centre;
+noperspective in vec2 from_centre;
 flat in vec4 marker_shape;
 flat in vec4 fill_colour;
 flat in vec4 rim_colour;

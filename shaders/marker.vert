@@ -12,7 +12,7 @@ uniform vec2 clip_offset;
 uniform vec2 viewport;  // pixels
 uniform float ui_scale;
 
-out vec2 from_centre;  // pixels, y up
+noperspective out vec2 from_centre;  // pixels, y up
 flat out vec4 marker_shape;
 flat out vec4 fill_colour;
 flat out vec4 rim_colour;

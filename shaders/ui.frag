@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 
-in vec2 atlas_uv;
-in vec4 vertex_colour;
+noperspective in vec2 atlas_uv;
+noperspective in vec4 vertex_colour;
 
 uniform sampler2D atlas;
 

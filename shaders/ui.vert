@@ -8,8 +8,9 @@ layout(location = 2) in vec4 colour;
 uniform vec2 display_origin;
 uniform vec2 display_size;
 
-out vec2 atlas_uv;
-out vec4 vertex_colour;
+// Nothing is farther away than the rest, which saves a division a pixel.
+noperspective out vec2 atlas_uv;
+noperspective out vec4 vertex_colour;
 
 void main() {
   vec2 unit = (position - display_origin) / display_size;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 
-in vec4 vertex_colour;
+noperspective in vec4 vertex_colour;
 
 out vec4 fragment;
 

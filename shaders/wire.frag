@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 
-in vec3 distances;
+noperspective in vec3 distances;
 flat in vec3 fades;
 
 uniform float half_width;  // pixels
