@@ -43,9 +43,9 @@ for row in json.load(open(sys.argv[1] + '/results.json')):
     print(json.dumps({k: v for k, v in row.items() if k != 'seconds'}))" "$1"
 }
 
-# expect_same ARGUMENT...: tables/ has the rows of the sweep of these arguments in one run.
+# expect_same ARGUMENT...: tables/ has the rows of the sweep of these arguments in one run, which is made once.
 expect_same() {
-  foldless bench --suite random "$@" -o whole >/dev/null
+  [ -d whole ] || foldless bench --suite random "$@" -o whole >/dev/null
   rows_of whole >whole.rows
   rows_of tables >tables.rows
   [ "$(wc -l <whole.rows)" -ge 16 ] || { echo "there are hardly rows" && exit 1; }
@@ -60,32 +60,41 @@ block_of() {
 }
 
 killed() {
-  local round
-  for ((round = 0; round < ${FOLDLESS_KILLS:-1}; round++)); do
-    rm -rf "$work"/*
-    kill_shards "$round"
-  done
+  # Every sixth scene is an easy one.
+  local round shard sweep=(--seed 5 --count 1536 --only "$(seq --separator=, 0 6 1530)" --method foldless)
+  make() { foldless bench --suite random "${sweep[@]}" --shard "$1/8" --append "$1.jsonl" >/dev/null 2>&1; }
+  for shard in {3..8}; do make "$shard"; done
+  for ((round = 0; round < ${FOLDLESS_KILLS:-1}; round++)); do kill_shards $((1 + round % 12)); done
 }
 
-# kill_shards ROUND: kills them when they have ROUND modulo 12 lines more than the first.
-kill_shards() {
-  local lines=$((1 + $1 % 12))
-  # Every sixth scene is an easy one.
-  local sweep=(--seed 5 --count 1536 --only "$(seq --separator=, 0 6 1530)" --method foldless) shard processes=()
-  make() { foldless bench --suite random "${sweep[@]}" --shard "$1/8" --append "$1.jsonl" >/dev/null; }
-  for shard in 1 2; do
+# kill_shard SHARD LINES: kills it at its work, when it has so many lines. It may end before that is seen, on a quick
+# machine or a busy one: then it is begun anew, and killed at its first line.
+kill_shard() {
+  local shard=$1 lines=$2 try victim status
+  for try in {1..50}; do
+    rm -f "$shard.jsonl"
     foldless bench --suite random "${sweep[@]}" --shard "$shard/8" --append "$shard.jsonl" >/dev/null &
-    processes+=($!)
+    victim=$! status=0
+    until [ "$(cat "$shard.jsonl" 2>/dev/null | wc -l)" -ge "$lines" ] || ! kill -0 "$victim" 2>/dev/null; do
+      sleep 0.005
+    done
+    kill -KILL "$victim" 2>/dev/null || true
+    wait "$victim" 2>/dev/null || status=$?
+    case $status in
+    0) ;;
+    137) [ "$(wc -l <"$shard.jsonl")" -ge 32 ] || return 0 ;;
+    *) echo "shard $shard ended with $status" && exit 1 ;;
+    esac
+    lines=1
   done
-  for shard in 1 2; do
-    until [ -s "$shard.jsonl" ] && [ "$(wc -l <"$shard.jsonl")" -ge "$lines" ]; do sleep 0.01; done
-  done
-  kill -KILL "${processes[@]}"
-  wait "${processes[@]}" 2>/dev/null || true
-  for shard in 1 2; do
-    [ "$(wc -l <"$shard.jsonl")" -lt 32 ] || { echo "shard $shard had ended before it was killed" && exit 1; }
-  done
-  for shard in {1..8}; do make "$shard" 2>/dev/null; done
+  echo "shard $shard ended before it was killed, $try times" && exit 1
+}
+
+# kill_shards LINES: two of them, which are begun again then.
+kill_shards() {
+  rm -rf tables
+  for shard in 1 2; do kill_shard "$shard" "$1"; done
+  for shard in 1 2; do make "$shard"; done
   foldless bench --merge ?.jsonl -o tables >/dev/null 2>notes
   [ ! -s notes ] || { cat notes && exit 1; }
   expect_same "${sweep[@]}"

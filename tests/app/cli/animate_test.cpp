@@ -4,7 +4,6 @@
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "core/data_path.h"
 #include "core/files/atomic_file.h"
@@ -251,11 +250,11 @@ TEST(AnimateCall, SaysWhatIsWrongAndWritesNothing) {
 TEST(AnimateCall, InterruptedLeavesNothing) {
   for (const char* name : {"a", "a.webp"}) {
     const TemporaryFolder folder;
-    test::Command command(
-        {"animate", sample("turn_360"), "-o", folder / name, "--size", "2000x2000"});
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
-    command.send(SIGINT);
-    EXPECT_EQ(command.wait().status, 130);
+    const Ended ended = test::interrupt(
+        {"animate", sample("turn_360"), "-o", folder / name, "--size", "1000x1000"}, SIGINT,
+        [](const test::Command& command) { return command.processor_seconds() > 0.2; },
+        [&] { fs::remove_all(folder / name); });
+    EXPECT_EQ(ended.status, 130) << ended.err;
     EXPECT_EQ(entries_in(folder.path()), 0U) << name;
   }
 }

@@ -4,7 +4,6 @@
 
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "tests/app/cli/command.h"
 #include "tests/core/run/scripted_method.h"
@@ -101,11 +100,13 @@ TEST(Bench, ReproducesAPartOfThePaper) {
 
 void interrupt_bench_with(int signal) {
   const TemporaryFolder folder;
-  Command command({"bench", "--suite", "random", "--only", "5,23", "--method", "paper-noflip", "-o",
-                   folder / "out", "--keep", folder / "scenes"});
-  while (names_in(folder / "scenes").size() < 2) std::this_thread::yield();
-  command.send(signal);
-  const Ended ended = command.wait();
+  const Ended ended = test::interrupt(
+      {"bench", "--suite", "random", "--only", "5,23", "--method", "paper-noflip", "-o",
+       folder / "out", "--keep", folder / "scenes"},
+      signal, [&](const Command&) { return names_in(folder / "scenes").size() == 2; },
+      [&] {
+        for (const char* name : {"out", "scenes"}) std::filesystem::remove_all(folder / name);
+      });
   EXPECT_EQ(ended.status, 130);
   EXPECT_EQ(names_in(folder / "out"),
             (std::vector<std::string>{"results.csv", "results.json", "runs.tex", "summary.md",

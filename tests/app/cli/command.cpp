@@ -7,12 +7,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include "core/scene/scene_io.h"
 
@@ -84,6 +87,19 @@ Command::~Command() {
 
 void Command::send(int signal) const { kill(process_, signal); }
 
+bool Command::is_running() const {
+  siginfo_t ended{};
+  waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT);
+  return ended.si_pid == 0;
+}
+
+double Command::processor_seconds() const {
+  clockid_t clock = 0;
+  timespec time{};
+  if (clock_getcpuclockid(process_, &clock) == 0) clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 Ended Command::wait() {
   int status = 0;
   rusage usage{};
@@ -94,6 +110,22 @@ Ended Command::wait() {
 }
 
 Ended run(const std::vector<std::string>& arguments) { return Command(arguments).wait(); }
+
+Ended interrupt(const std::vector<std::string>& arguments, int signal,
+                const std::function<bool(const Command&)>& is_time,
+                const std::function<void()>& clear) {
+  constexpr int kMostTries = 10;
+  for (int tries = 1;; ++tries) {
+    Command command(arguments);
+    while (command.is_running() && !is_time(command))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    command.send(signal);
+    Ended ended = command.wait();
+    const bool was_quicker = ended.status == 0 || ended.status == 1;
+    if (!was_quicker || tries == kMostTries) return ended;
+    clear();
+  }
+}
 
 TemporaryFolder::TemporaryFolder() : path_(new_folder()) {}
 

@@ -32,6 +32,10 @@ class Command {
   Command& operator=(const Command&) = delete;
 
   void send(int signal) const;
+  /// Whether it has not ended yet.
+  bool is_running() const;
+  /// The processor time that it has taken, whatever else the machine does [s].
+  double processor_seconds() const;
   /// Waits for its end.
   Ended wait();
 
@@ -45,6 +49,12 @@ class Command {
 
 /// Runs the program to its end.
 Ended run(const std::vector<std::string>& arguments);
+
+/// Sends the program a signal as soon as `is_time`. Where it was quicker than that was seen,
+/// `clear` removes what it left, and it is begun again.
+Ended interrupt(const std::vector<std::string>& arguments, int signal,
+                const std::function<bool(const Command&)>& is_time,
+                const std::function<void()>& clear);
 
 /// A folder that goes with the object.
 class TemporaryFolder {

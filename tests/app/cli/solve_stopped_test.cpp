@@ -28,9 +28,9 @@ using test::read_text;
 using test::TemporaryFolder;
 using test::write_scene;
 
-/// A scene that takes a good second.
-Problem long_problem() {
-  Problem problem = grid_problem(40, Vec2(2, 3));
+/// A scene of so many vertices in a row; 120 take some 200 frames.
+Problem long_problem(int n) {
+  Problem problem = grid_problem(n, Vec2(2, 3));
   problem.energy = find_density("arap");
   return problem;
 }
@@ -38,13 +38,13 @@ Problem long_problem() {
 /// Interrupts a solve once it has written some frames, and checks what it leaves.
 void interrupt_with(int signal) {
   const TemporaryFolder folder;
-  write_scene(folder / "scene.json", long_problem());
+  write_scene(folder / "scene.json", long_problem(120));
   const std::string out = folder / "out";
   for (const std::size_t frames : {1U, 4U, 9U}) {
-    Command command({"solve", folder / "scene.json", "-o", out, "--frames", "all"});
-    while (names_in(out + "/.foldless-staged/frames").size() < frames) std::this_thread::yield();
-    command.send(signal);
-    const Ended ended = command.wait();
+    const Ended ended = test::interrupt(
+        {"solve", folder / "scene.json", "-o", out, "--frames", "all"}, signal,
+        [&](const Command&) { return names_in(out + "/.foldless-staged/frames").size() >= frames; },
+        [&] { std::filesystem::remove_all(out); });
     expect_valid_results(out);
     const json report = json::parse(read_text(out + "/report.json"));
     EXPECT_EQ(ended.status, 130) << "interrupted after " << frames << " frames";
@@ -77,14 +77,15 @@ TEST(Solve, InterruptedWhileItReadsItEndsWithTheStatusOfAnInterruption) {
 TEST(Solve, GoesOnWhereSignalsAreIgnored) {
   // As in background jobs of a script and under nohup: processes inherit what is ignored.
   const TemporaryFolder folder;
-  write_scene(folder / "scene.json", long_problem());
+  write_scene(folder / "scene.json", long_problem(40));
   const auto before_int = std::signal(SIGINT, SIG_IGN);
   const auto before_term = std::signal(SIGTERM, SIG_IGN);
   const std::string out = folder / "out";
   Command command({"solve", folder / "scene.json", "-o", out, "--frames", "all"});
   std::signal(SIGINT, before_int);
   std::signal(SIGTERM, before_term);
-  while (names_in(out + "/.foldless-staged/frames").empty()) std::this_thread::yield();
+  while (command.is_running() && names_in(out + "/.foldless-staged/frames").empty())
+    std::this_thread::yield();
   command.send(SIGINT);
   command.send(SIGTERM);
   EXPECT_EQ(command.wait().status, 0);

@@ -50,14 +50,6 @@ class AutosaveTest : public EditorTest {
     wait_for_copies(1);
     start();
   }
-  /// Returns whether a condition holds within twenty seconds.
-  template <typename Condition>
-  static bool comes_true(const Condition& condition) {
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (!condition() && std::chrono::steady_clock::now() < give_up)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return condition();
-  }
   void find_lost_work() {
     editor_->files().recovery().find();
     if (!editor_->files().recovery().is_open()) return;

@@ -12,6 +12,7 @@
 #include "app/editor/editor.h"
 #include "core/mesh/injective.h"
 #include "tests/support/meshes.h"
+#include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
@@ -78,10 +79,10 @@ class EditorTest : public ::testing::Test {
     return editor_->update(now_);
   }
 
-  /// Frames until the solver rests. Fails when that takes more than twenty seconds.
+  /// Frames until the solver rests. Fails when it never does.
   void settle() {
     frame();
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto give_up = std::chrono::steady_clock::now() + kPatience;
     while (editor_->playback().is_solving()) {
       ASSERT_LT(std::chrono::steady_clock::now(), give_up) << "the solver does not come to rest";
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -90,10 +91,10 @@ class EditorTest : public ::testing::Test {
     frame();
   }
 
-  /// Frames until a condition holds. Fails after twenty seconds.
+  /// Frames until a condition holds. Fails when it never does.
   template <typename Condition>
   void wait_for(const Condition& condition) {
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto give_up = std::chrono::steady_clock::now() + kPatience;
     while (!condition()) {
       ASSERT_LT(std::chrono::steady_clock::now(), give_up) << "waited in vain";
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

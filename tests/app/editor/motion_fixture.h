@@ -35,7 +35,7 @@ class EditorMotion : public EditorTest {
     return editor_->shown()->deformed.col(vertex);
   }
   void solve_all() {
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+    const auto give_up = std::chrono::steady_clock::now() + kPatience;
     frame();
     while (!motion().frames().status().is_done) {
       ASSERT_LT(std::chrono::steady_clock::now(), give_up) << motion().frames().status().error;

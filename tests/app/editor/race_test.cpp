@@ -99,7 +99,7 @@ TEST_F(RaceTest, FollowsThePaceInLockStep) {
   Race race({});
   race.open(editor_->document());
   race.set_pace(10);
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  const auto give_up = std::chrono::steady_clock::now() + kPatience;
   const auto has_ended = [](const auto& lane) { return lane->has_ended(); };
   while (!std::ranges::all_of(race.lanes(), has_ended)) {
     ASSERT_LT(std::chrono::steady_clock::now(), give_up);

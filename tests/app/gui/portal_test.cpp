@@ -12,6 +12,7 @@
 #include "core/mesh/generate.h"
 #include "tests/app/gui/headless_editor.h"
 #include "tests/support/fake_portal.h"
+#include "tests/support/patience.h"
 
 namespace foldless::test {
 namespace {
@@ -38,7 +39,7 @@ class DesktopDialogs : public testing::Test {
       if (desktop_) desktop_->update();
       return condition();
     };
-    return headless_->wait_until(look, 20);
+    return headless_->wait_until(look);
   }
   /// Presses keys upon which the desktop's dialog is asked for; what it was asked.
   std::string asked_by(Key key, Modifiers modifiers) {
@@ -185,10 +186,10 @@ TEST_F(DesktopDialogs, OursOpensWhereTheyAreSwitchedOff) {
 
 TEST(Portal, IsNotWhereThereIsNoBus) {
   Portal none("", ""), gone("unix:path=/nowhere/bus", "");
-  for (int i = 0; gone.is_waiting() && i < 400; ++i) {
+  comes_true([&gone] {
     gone.update();
-    usleep(5000);
-  }
+    return !gone.is_waiting();
+  });
   for (const Portal* portal : {&none, &gone}) {
     EXPECT_FALSE(portal->is_waiting());
     EXPECT_FALSE(portal->is_there());

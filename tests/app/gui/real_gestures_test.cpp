@@ -18,7 +18,7 @@ class RealGestures : public RealWindow {
   nlohmann::json saved() {
     const auto before = std::filesystem::last_write_time(scene_);
     tool("key --clearmodifiers ctrl+s");
-    EXPECT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != before; }, 20s));
+    EXPECT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != before; }));
     return nlohmann::json::parse(std::ifstream(scene_));
   }
   /// Deletes what is selected; returns the targets of the handles that are left.
@@ -85,21 +85,28 @@ TEST_F(RealGestures, AFileThatIsDroppedBecomesTheTexture) {
 
 TEST_F(RealGestures, ANameIsTypedAndEnterSavesUnderIt) {
   ASSERT_NO_FATAL_FAILURE(start_program());
-  tool("key --clearmodifiers ctrl+shift+s sleep 0.5 key --clearmodifiers ctrl+a");
+  tool("key --clearmodifiers ctrl+shift+s");
+  ASSERT_TRUE(comes_to_rest());
+  tool("key --clearmodifiers ctrl+a");
   type((folder_ / "Other-1.json").string());
   tool("sleep 0.3 key Return");
-  EXPECT_TRUE(wait_for([this] { return std::filesystem::exists(folder_ / "Other-1.json"); }, 20s));
+  EXPECT_TRUE(wait_for([this] { return std::filesystem::exists(folder_ / "Other-1.json"); }));
 }
 
 TEST_F(RealGestures, EscapeKeepsTheProgramAndTabLeadsToDiscard) {
   ASSERT_NO_FATAL_FAILURE(start_program());
   drag(640, 400, 40, 120);
   ASSERT_TRUE(comes_to_rest());
-  tool("key --clearmodifiers ctrl+q sleep 0.5 key Escape");
+  tool("key --clearmodifiers ctrl+q");
+  ASSERT_TRUE(comes_to_rest());
+  tool("key Escape");
   ASSERT_TRUE(comes_to_rest());
   EXPECT_TRUE(program_->is_running());
-  tool("key --clearmodifiers ctrl+q sleep 0.5 key Tab sleep 0.2 key Tab sleep 0.2 key Return");
-  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
+  for (const char* key : {"--clearmodifiers ctrl+q", "Tab", "Tab", "Return"}) {
+    ASSERT_TRUE(comes_to_rest());
+    tool(std::string("key ") + key);
+  }
+  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }));
   EXPECT_EQ(program_->status(), 0);
   EXPECT_EQ(nlohmann::json::parse(std::ifstream(scene_)).at("handles").size(), 2U);
 }
@@ -116,7 +123,7 @@ TEST_F(RealGestures, TheDialogOfTheDesktopIsToldOfTheWindow) {
   ASSERT_NO_FATAL_FAILURE(start_program());
   wait_for(is_asked, 1s);  // the program learns that there is one
   bool is_there = false;
-  for (int i = 0; i < 5 && !is_there; ++i) {
+  for (int i = 0; i < 20 && !is_there; ++i) {
     tool("key Escape sleep 0.2 key --clearmodifiers ctrl+shift+s");
     is_there = wait_for(is_asked, 4s);
   }
@@ -126,7 +133,7 @@ TEST_F(RealGestures, TheDialogOfTheDesktopIsToldOfTheWindow) {
   EXPECT_NE(desktop.calls().front().find(window.str()), std::string::npos)
       << desktop.calls().front();
   desktop.answer(0, folder_ / "posed");
-  EXPECT_TRUE(wait_for([this] { return std::filesystem::exists(folder_ / "posed.json"); }, 20s));
+  EXPECT_TRUE(wait_for([this] { return std::filesystem::exists(folder_ / "posed.json"); }));
 }
 
 TEST_F(RealGestures, TheWindowHasAnIcon) {

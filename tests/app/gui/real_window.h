@@ -23,6 +23,7 @@
 #include "core/mesh/injective.h"
 #include "core/scene/scene_io.h"
 #include "tests/support/child.h"
+#include "tests/support/patience.h"
 
 namespace foldless::test {
 
@@ -33,7 +34,7 @@ inline bool is_installed(const std::string& program) {
 }
 
 template <class Condition>
-bool wait_for(Condition condition, std::chrono::seconds most = 60s) {
+bool wait_for(Condition condition, std::chrono::seconds most = kPatience) {
   const auto end = std::chrono::steady_clock::now() + most;
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) return false;
@@ -128,16 +129,31 @@ class RealWindow : public testing::Test {
     std::ifstream log(folder_ / "frames.csv");
     return std::count(std::istreambuf_iterator<char>(log), {}, '\n');
   }
-  /// Waits until the program draws no more: nothing moves and nothing is solved.
+  /// Waits until the program draws no more: nothing moves and nothing is solved. One that only
+  /// waits for a processor draws no more either.
   bool comes_to_rest() const {
     std::ptrdiff_t before = 0;
     int quiet = 0;
     return wait_for([&] {
       const std::ptrdiff_t now = logged_frames();
-      quiet = now == before && now > 1 ? quiet + 1 : 0;
+      quiet = now == before && now > 1 && all_sleep() ? quiet + 1 : 0;
       before = now;
       return quiet >= 20;
     });
+  }
+  /// Whether the program and the display wait for something to happen.
+  bool all_sleep() const {
+    for (const Child* child : {program_.get(), server_.get()}) {
+      const std::string tasks = "/proc/" + std::to_string(child->pid()) + "/task";
+      std::error_code gone;
+      for (const auto& task : std::filesystem::directory_iterator(tasks, gone)) {
+        std::ifstream file(task.path() / "stat");
+        const std::string words{std::istreambuf_iterator<char>(file), {}};
+        const std::size_t state = words.rfind(')') + 2;
+        if (state < words.size() && words[state] != 'S') return false;
+      }
+    }
+    return true;
   }
 
   void tool(const std::string& words) {

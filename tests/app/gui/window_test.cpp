@@ -11,7 +11,7 @@ TEST_F(RealWindow, MouseDragBendsTheMeshAndSavingKeepsIt) {
   ASSERT_NO_FATAL_FAILURE(drag(640, 400, 40, 120));
   ASSERT_TRUE(comes_to_rest());
   ASSERT_NO_FATAL_FAILURE(tool("key --clearmodifiers ctrl+s"));
-  ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }, 20s))
+  ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }))
       << "Ctrl+S saved nothing";
 
   const std::vector<std::string_view> methods{"paper-flip"};
@@ -31,7 +31,7 @@ TEST_F(RealWindow, WhatWasRecordedIsReplayedWithoutAWindow) {
   ASSERT_NO_FATAL_FAILURE(drag(640, 400, 40, 120));
   ASSERT_TRUE(comes_to_rest());
   ASSERT_NO_FATAL_FAILURE(tool("key --clearmodifiers shift+F12 key --clearmodifiers ctrl+s"));
-  ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }, 20s));
+  ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }));
   program_.reset();
   const std::vector<std::string_view> methods{"foldless", "paper-flip"};
   const Scene recorded = load_scene(scene_, methods).scene;
@@ -50,7 +50,7 @@ TEST_F(RealWindow, WhatWasRecordedIsReplayedWithoutAWindow) {
 TEST_F(RealWindow, CtrlQLeavesAtOnceWhenNothingIsUnsaved) {
   ASSERT_NO_FATAL_FAILURE(start_program());
   ASSERT_NO_FATAL_FAILURE(tool("key --clearmodifiers ctrl+q"));
-  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
+  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }));
   EXPECT_EQ(program_->status(), 0);
 }
 
@@ -60,18 +60,20 @@ TEST_F(RealWindow, ASignalEndsItAndUnsavedWorkIsKept) {
   ASSERT_TRUE(comes_to_rest());
   EXPECT_TRUE(copy().empty()) << "a minute has not passed";
   kill(program_->pid(), SIGTERM);
-  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
+  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }));
   EXPECT_TRUE(WIFEXITED(program_->status()) && WEXITSTATUS(program_->status()) == 130);
   expect_copy_of_the_drag();
 
   // It is offered at the next start, and Enter takes it; Ctrl+S gives it to its file.
   const auto written = std::filesystem::last_write_time(scene_);
   ASSERT_NO_FATAL_FAILURE(start_program());
-  ASSERT_NO_FATAL_FAILURE(tool("key Return sleep 0.5 key --clearmodifiers ctrl+s"));
-  ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }, 20s));
+  ASSERT_NO_FATAL_FAILURE(tool("key Return"));
+  ASSERT_TRUE(comes_to_rest());
+  ASSERT_NO_FATAL_FAILURE(tool("key --clearmodifiers ctrl+s"));
+  ASSERT_TRUE(wait_for([&] { return std::filesystem::last_write_time(scene_) != written; }));
   const std::vector<std::string_view> methods{"foldless", "paper-flip"};
   EXPECT_EQ(load_scene(scene_, methods).scene.handles.size(), 3U);
-  EXPECT_TRUE(wait_for([this] { return copy().empty(); }, 20s));
+  EXPECT_TRUE(wait_for([this] { return copy().empty(); }));
 }
 
 TEST_F(RealWindow, WhenTheDisplayGoesUnsavedWorkIsKept) {
@@ -79,7 +81,7 @@ TEST_F(RealWindow, WhenTheDisplayGoesUnsavedWorkIsKept) {
   ASSERT_NO_FATAL_FAILURE(drag(640, 400, 40, 120));
   ASSERT_TRUE(comes_to_rest());
   server_.reset();
-  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
+  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }));
   expect_copy_of_the_drag();
 }
 
@@ -93,7 +95,7 @@ TEST_F(RealWindow, WhenAFrameThrowsUnsavedWorkIsKept) {
   ASSERT_TRUE(comes_to_rest());
   kill(program_->pid(), SIGUSR2);
   ASSERT_NO_FATAL_FAILURE(tool("mousemove 300 300 mousemove 320 320"));
-  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }, 20s));
+  ASSERT_TRUE(wait_for([this] { return !program_->is_running(); }));
   EXPECT_TRUE(WIFEXITED(program_->status()) && WEXITSTATUS(program_->status()) == 2);
   expect_copy_of_the_drag();
 }

@@ -153,19 +153,20 @@ class Threads(unittest.TestCase):
 
         def count():
             while not done.is_set():
-                counts.append(time.monotonic())
+                counts.append(time.process_time())
                 time.sleep(0.002)
 
         counter = threading.Thread(target=count)
         counter.start()
-        start = time.monotonic()
+        start = time.process_time()
         foldless.solve(*swapped(80), time_limit=1)
-        end = time.monotonic()
+        end = time.process_time()
         done.set()
         counter.join()
         during = [t for t in counts if start < t < end]
         self.assertGreater(len(during), 50)
-        # The lock is given up at once, not only now and then.
+        # The lock is given up at once, not only now and then; by the clock of this process, which
+        # stands still while the machine does other things.
         self.assertLess(max(np.diff(during)), 0.5)
 
 

@@ -11,6 +11,7 @@
 #include "core/mesh/generate.h"
 #include "core/run/background_moment.h"
 #include "core/run/frames_box.h"
+#include "tests/support/patience.h"
 
 namespace foldless {
 namespace {
@@ -42,13 +43,6 @@ class InBackground : public testing::Test {
     turned->deformed = Eigen::Rotation2Dd(radians).toRotationMatrix() * turned->deformed;
     wanted_.solved[1].snapshot = turned;
   }
-  template <typename Condition>
-  static bool wait_for(const Condition& condition) {
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (!condition() && std::chrono::steady_clock::now() < give_up)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return condition();
-  }
 
   std::shared_ptr<const Frames> frames_;
   SolvedToBake wanted_;
@@ -59,7 +53,7 @@ class InBackground : public testing::Test {
 TEST_F(InBackground, ABakeIsProvedAndToldOf) {
   turn(0.5);
   bake_.start(frames_, wanted_);
-  ASSERT_TRUE(wait_for([this] { return news_ == 1; }));
+  ASSERT_TRUE(test::comes_true([this] { return news_ == 1; }));
   const auto result = bake_.result();
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->failure);
@@ -70,7 +64,7 @@ TEST_F(InBackground, ABakeIsProvedAndToldOf) {
 TEST_F(InBackground, ABakeNamesTheFirstMomentThatIsNotProved) {
   turn(EIGEN_PI);  // Half way every triangle is a point.
   bake_.start(frames_, wanted_);
-  ASSERT_TRUE(wait_for([this] { return bake_.result() != nullptr; }));
+  ASSERT_TRUE(test::comes_true([this] { return bake_.result() != nullptr; }));
   const auto result = bake_.result();
   const auto& failure = result->failure;
   ASSERT_TRUE(failure);
@@ -86,7 +80,7 @@ TEST_F(InBackground, WhatIsCancelledNeverBecomesAResult) {
     EXPECT_FALSE(bake_.result());
   }
   bake_.start(frames_, wanted_);
-  ASSERT_TRUE(wait_for([this] { return bake_.result() != nullptr; }));
+  ASSERT_TRUE(test::comes_true([this] { return bake_.result() != nullptr; }));
 }
 
 TEST_F(InBackground, AMomentIsSolvedOnceAsTheSolverDoes) {
@@ -94,12 +88,12 @@ TEST_F(InBackground, AMomentIsSolvedOnceAsTheSolverDoes) {
   BackgroundMoment moment([&] { ++solved; });
   const auto before = std::make_shared<const SolvedFrame>(wanted_.solved[0]);
   for (int i = 0; i < 3; ++i) {
-    ASSERT_TRUE(wait_for([&] { return moment.at(0.25, before, frames_) != nullptr; }));
+    ASSERT_TRUE(test::comes_true([&] { return moment.at(0.25, before, frames_) != nullptr; }));
     EXPECT_EQ(moment.at(0.25, before, frames_)->frame, 0.25);
   }
   EXPECT_EQ(solved, 1);
   EXPECT_EQ(moment.at(0.75, before, frames_), nullptr) << "another is never shown in its place";
-  ASSERT_TRUE(wait_for([&] { return moment.at(0.75, before, frames_) != nullptr; }));
+  ASSERT_TRUE(test::comes_true([&] { return moment.at(0.75, before, frames_) != nullptr; }));
   EXPECT_EQ(moment.at(0.75, before, frames_)->snapshot->deformed,
             frames_->solve(0.75, before->snapshot.get(), {})->snapshot->deformed);
 }

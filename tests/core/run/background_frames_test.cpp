@@ -9,6 +9,7 @@
 
 #include "core/energy/densities.h"
 #include "core/mesh/generate.h"
+#include "tests/support/patience.h"
 
 namespace foldless {
 namespace {
@@ -48,7 +49,7 @@ class Background : public testing::Test {
   }
 
   void wait() {
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+    const auto give_up = std::chrono::steady_clock::now() + test::kPatience;
     while (!frames_.status().is_done) {
       ASSERT_LT(std::chrono::steady_clock::now(), give_up) << frames_.status().solved;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -102,7 +103,7 @@ TEST_F(Background, SayThatALoopIsGoneThroughOnceMore) {
   BackgroundFrames noted([&] { latest = std::max<int>(latest, waking->status().round); });
   waking = &noted;
   noted.solve(wanted_);
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+  const auto give_up = std::chrono::steady_clock::now() + test::kPatience;
   while (!noted.status().is_done && std::chrono::steady_clock::now() < give_up)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(latest, 2);
@@ -172,7 +173,7 @@ TEST_F(Background, RestsWhileItIsHeldAndGoesOnThen) {
 TEST_F(Background, TellsWhatWentWrong) {
   wanted_.at_rest.parameters.method = "nobody's";
   frames_.solve(wanted_);
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto give_up = std::chrono::steady_clock::now() + test::kPatience;
   while (frames_.status().error.empty() && std::chrono::steady_clock::now() < give_up)
     std::this_thread::yield();
   EXPECT_NE(frames_.status().error.find("nobody's"), std::string::npos) << frames_.status().error;

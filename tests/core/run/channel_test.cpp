@@ -7,6 +7,8 @@
 #include <future>
 #include <thread>
 
+#include "tests/support/patience.h"
+
 namespace foldless {
 namespace {
 
@@ -55,8 +57,7 @@ TEST(Channel, NobodyWaitsForTheEndOfAnOldValue) {
       channel.latest();
       read.set_value();
     });
-    was_read_meanwhile =
-        read.get_future().wait_for(std::chrono::seconds(30)) == std::future_status::ready;
+    was_read_meanwhile = read.get_future().wait_for(test::kPatience) == std::future_status::ready;
     // A reader that is locked out could not be joined before the value has ended.
     if (!was_read_meanwhile) std::abort();
     delete pair;

@@ -5,6 +5,8 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "tests/support/patience.h"
+
 namespace foldless::test {
 
 /// A place in a script where the solver thread waits until the test lets it on, so that what the
@@ -18,11 +20,10 @@ class Gate {
     changed_.notify_all();
     changed_.wait(lock, [&] { return is_open_ || mine <= let_through_; });
   }
-  /// Waits until the solver is at the gate; false when it does not come within half a minute.
+  /// Waits until the solver is at the gate; false when it never comes.
   bool holds_the_solver() {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::seconds(30),
-                             [&] { return arrived_ > let_through_; });
+    return changed_.wait_for(lock, kPatience, [&] { return arrived_ > let_through_; });
   }
   void let_through() {
     std::lock_guard lock(mutex_);

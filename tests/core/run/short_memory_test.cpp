@@ -16,21 +16,12 @@
 #include "core/run/worker.h"
 #include "tests/core/run/scripted_method.h"
 #include "tests/support/failing_allocation.h"
+#include "tests/support/patience.h"
 
 namespace foldless::test {
 namespace {
 
 constexpr const char* kWords = "there is not enough memory";
-
-template <typename Predicate>
-bool comes_true(const Predicate& predicate) {
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!predicate()) {
-    if (std::chrono::steady_clock::now() > give_up) return false;
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-  return true;
-}
 
 /// Of the first hundred all, then one of an eighth more every time.
 long next_after(long n) { return n < 100 ? n + 1 : n + n / 8; }

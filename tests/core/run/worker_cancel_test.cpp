@@ -38,7 +38,7 @@ TEST(WorkerCancel, EveryCallReturnsWhileAnIterationRuns) {
     worker.status();
     worker.timeline();
   });
-  EXPECT_EQ(calls.wait_for(30s), std::future_status::ready);
+  EXPECT_EQ(calls.wait_for(test::kPatience), std::future_status::ready);
   held.gate.open();
 }
 

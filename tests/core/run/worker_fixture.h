@@ -7,15 +7,16 @@
 #include "core/mesh/injective.h"
 #include "core/run/worker.h"
 #include "tests/core/run/scripted_method.h"
+#include "tests/support/patience.h"
 
 namespace foldless::test {
 
 using namespace std::chrono_literals;
 
-/// Waits until the condition holds; false when it does not within half a minute.
+/// Waits until the condition holds; false when it never does.
 template <typename Condition>
 bool eventually(const Condition& condition) {
-  const auto deadline = std::chrono::steady_clock::now() + 30s;
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (!condition()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(200us);
