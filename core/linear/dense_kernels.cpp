@@ -74,7 +74,11 @@ const DenseKernels plain_kernels = {"plain", plain_subtract, plain_set_negative,
                                     plain_subtract_and_solve};
 
 const DenseKernels& dense_kernels() {
-  static const DenseKernels& best = avx2_kernels() ? *avx2_kernels() : plain_kernels;
+  static const DenseKernels& best = [&]() -> const DenseKernels& {
+    for (const DenseKernels* kernels : {avx512_kernels(), avx2_kernels()})
+      if (kernels) return *kernels;
+    return plain_kernels;
+  }();
   return best;
 }
 

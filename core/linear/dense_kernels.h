@@ -32,6 +32,8 @@ struct DenseKernels {
 extern const DenseKernels plain_kernels;
 /// Those for AVX2 and FMA; null where the program or the processor does not have them.
 const DenseKernels* avx2_kernels();
+/// Those for AVX-512F and AVX-512VL; null as well.
+const DenseKernels* avx512_kernels();
 /// The best that this processor has.
 const DenseKernels& dense_kernels();
 
