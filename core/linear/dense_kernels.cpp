@@ -2,6 +2,7 @@
 #include "core/linear/dense_kernels.h"
 
 #include <cstddef>
+#include <initializer_list>
 
 namespace foldless {
 namespace {
@@ -74,8 +75,8 @@ const DenseKernels plain_kernels = {"plain", plain_subtract, plain_set_negative,
                                     plain_subtract_and_solve};
 
 const DenseKernels& dense_kernels() {
-  static const DenseKernels& best = [&]() -> const DenseKernels& {
-    for (const DenseKernels* kernels : {avx512_kernels(), avx2_kernels()})
+  static const DenseKernels& best = []() -> const DenseKernels& {
+    for (const DenseKernels* kernels : {avx512_kernels(), avx2_kernels(), neon_kernels()})
       if (kernels) return *kernels;
     return plain_kernels;
   }();

@@ -3,8 +3,10 @@
 
 #ifdef __x86_64__
 
-#define FOLDLESS_KERNEL __attribute__((target("avx512f,avx512vl,avx2,fma"), always_inline)) inline
-#include "core/linear/dense_lanes_avx2.h"
+#include <immintrin.h>
+
+#define FOLDLESS_KERNEL __attribute__((target("avx512f"), always_inline)) inline
+#include "core/linear/dense_tile.h"
 
 namespace foldless {
 namespace {
@@ -48,7 +50,7 @@ FOLDLESS_KERNEL void do_strip(const StripAndTriangle& t) {
     do_strip<2, Kind>(t);
 }
 
-#define FOLDLESS_AVX512 __attribute__((target("avx512f,avx512vl,avx2,fma")))
+#define FOLDLESS_AVX512 __attribute__((target("avx512f")))
 
 FOLDLESS_AVX512 void avx512_subtract(const ColumnStrip& s) {
   do_strip<StripKind::subtract>({s, nullptr});
@@ -66,14 +68,16 @@ const DenseKernels kernels_for_avx512 = {"AVX-512", avx512_subtract, avx512_set_
 }  // namespace
 
 const DenseKernels* avx512_kernels() {
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && avx2_kernels()
-             ? &kernels_for_avx512
-             : nullptr;
+  // The first generation with AVX-512 lowers its clock for it; the later ones have VBMI2 too.
+  const bool is_worth_while =
+      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vbmi2");
+  return is_worth_while && avx2_kernels() ? &kernels_for_avx512 : nullptr;
 }
 
 }  // namespace foldless
 
 #undef FOLDLESS_KERNEL
+#undef FOLDLESS_AVX512
 
 #else
 
