@@ -2,6 +2,7 @@
 #include "core/linear/dense_kernels.h"
 
 #include <cstddef>
+#include <initializer_list>
 
 namespace foldless {
 namespace {
@@ -74,7 +75,11 @@ const DenseKernels plain_kernels = {"plain", plain_subtract, plain_set_negative,
                                     plain_subtract_and_solve};
 
 const DenseKernels& dense_kernels() {
-  static const DenseKernels& best = avx2_kernels() ? *avx2_kernels() : plain_kernels;
+  static const DenseKernels& best = []() -> const DenseKernels& {
+    for (const DenseKernels* kernels : {avx512_kernels(), avx2_kernels(), neon_kernels()})
+      if (kernels) return *kernels;
+    return plain_kernels;
+  }();
   return best;
 }
 

@@ -30,8 +30,11 @@ struct DenseKernels {
 
 /// Those that every processor has.
 extern const DenseKernels plain_kernels;
-/// Those for AVX2 and FMA; null where the program or the processor does not have them.
-const DenseKernels* avx2_kernels();
+/// Those for other instructions; null where the program or the processor does not have them. They
+/// multiply and subtract with one rounding and have the bits of each other, not of plain_kernels.
+const DenseKernels* avx2_kernels();    ///< AVX2 and FMA
+const DenseKernels* avx512_kernels();  ///< AVX-512, where it does not cost a lower clock
+const DenseKernels* neon_kernels();    ///< every ARM processor of 64 bits
 /// The best that this processor has.
 const DenseKernels& dense_kernels();
 

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <random>
+#include <string>
 
 #include "core/threads/team.h"
 
@@ -106,13 +107,45 @@ TEST_P(DenseCholeskyTest, AnyNumberOfThreadsGivesTheSameBits) {
     EXPECT_EQ(squares[0].col(j).tail(kBelow - j), squares[1].col(j).tail(kBelow - j)) << j;
 }
 
+TEST(DenseKernels, ForAvx2AndAvx512HaveTheSameBits) {
+  if (!avx512_kernels()) GTEST_SKIP() << "this processor does not have both";
+  for (int rows = 2; rows <= 80; rows += 2)
+    for (const int columns : {2, 4, 6, 26}) {
+      if (columns > rows) continue;
+      SCOPED_TRACE(testing::Message() << rows << " × " << columns);
+      const int below = rows - columns;
+      const MatrixXd matrix = random_positive_definite(rows, 15);
+      MatrixXd panels[2], squares[2];
+      for (int i = 0; i < 2; ++i) {
+        const DenseKernels& kernels = i == 0 ? *avx2_kernels() : *avx512_kernels();
+        // What nothing reads or writes stays as it is, and is compared too.
+        panels[i] = matrix.leftCols(columns);
+        squares[i] = MatrixXd::Constant(below, below, 1);
+        const DensePanel panel{panels[i].data(), rows, columns};
+        ASSERT_EQ(factorize_panel(panel, kernels), columns);
+        subtract_square(panel, squares[i].data(), Square::from_zero, kernels);
+      }
+      EXPECT_EQ(panels[0], panels[1]);
+      EXPECT_EQ(squares[0], squares[1]);
+    }
+}
+
 TEST(DenseKernels, AreTheBestThatThereAre) {
-  EXPECT_EQ(&dense_kernels(), avx2_kernels() ? avx2_kernels() : &plain_kernels);
+  const DenseKernels* best = &plain_kernels;
+  for (const DenseKernels* kernels : {neon_kernels(), avx2_kernels(), avx512_kernels()})
+    if (kernels) best = kernels;
+  EXPECT_EQ(&dense_kernels(), best);
+}
+
+std::string name_of(const testing::TestParamInfo<const DenseKernels*>& test) {
+  constexpr const char* kNames[] = {"plain", "avx2", "avx512", "neon"};
+  return kNames[test.index];
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, DenseCholeskyTest,
-                         testing::Values(&plain_kernels, avx2_kernels()),
-                         [](const auto& test) { return test.index == 0 ? "plain" : "avx2"; });
+                         testing::Values(&plain_kernels, avx2_kernels(), avx512_kernels(),
+                                         neon_kernels()),
+                         name_of);
 
 }  // namespace
 }  // namespace foldless
