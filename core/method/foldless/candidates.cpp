@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/method/foldless/candidates.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/method/foldless/approach.h"
@@ -14,7 +15,9 @@ namespace candidates {
 
 /// E_d is better below this part of another.
 constexpr double kLower = 0.999;
-constexpr int kFewLegs = 4;
+/// A lower E_d is worth so many times the largest σ₁/σ₂.
+constexpr double kMoreDistorted = 1.5;
+constexpr int kFewLegs = 2;
 constexpr int kManyLegs = 8;
 
 /// A step of steps that may be left before their end.
@@ -54,10 +57,14 @@ Steps<std::optional<Progress>> within(int most_factorizations, const Effort& eff
   co_return steps.result();
 }
 
-bool is_better(const Workspace& work, const Workspace& other) {
+bool has_less_energy(const Workspace& work, const Workspace& other) {
   return candidates::distortion_energy(work) <
-             candidates::kLower * candidates::distortion_energy(other) &&
-         largest_distortion(work.mesh) <= largest_distortion(other.mesh);
+         candidates::kLower * candidates::distortion_energy(other);
+}
+
+double most_distortion_beside(const MeshPair& mesh) {
+  const double distortion = largest_distortion(mesh);
+  return std::max(distortion, std::min(candidates::kMoreDistorted * distortion, kCrushed));
 }
 
 }  // namespace foldless

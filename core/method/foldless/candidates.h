@@ -12,11 +12,11 @@ namespace foldless {
 /// shape that it found is poor.
 inline constexpr int kCandidates = 3;
 /// Each until it has taken so many factorizations,
-inline constexpr int kMostOfACandidate = 30;
+inline constexpr int kMostOfACandidate = 40;
 /// of a mesh of at most so many triangles.
 inline constexpr int kLargestWithCandidates = 3000;
 
-/// One of them, from the mesh as it is: an approach in four straight legs, the first transport, an
+/// One of them, from the mesh as it is: an approach in two straight legs, the first transport, an
 /// approach in eight.
 Steps<Progress> candidate(int which, Workspace& work);
 
@@ -24,8 +24,12 @@ Steps<Progress> candidate(int which, Workspace& work);
 Steps<std::optional<Progress>> within(int most_factorizations, const Effort& effort,
                                       Steps<Progress> steps);
 
-/// Whether E_d is lower by more than rounding and no triangle more distorted than the worst of the
-/// other.
-bool is_better(const Workspace& work, const Workspace& other);
+/// Whether E_d is lower by more than rounding.
+bool has_less_energy(const Workspace& work, const Workspace& other);
+
+/// The largest σ₁/σ₂ of what may take the place of a mesh: half again as much as of the mesh,
+/// unless that were crushed. Of the first mesh for all candidates, so that their order does not
+/// count.
+double most_distortion_beside(const MeshPair& mesh);
 
 }  // namespace foldless

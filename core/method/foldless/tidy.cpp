@@ -9,8 +9,6 @@
 namespace foldless {
 namespace tidying {
 
-/// σ₁/σ₂ from which a triangle counts as crushed.
-constexpr double kCrushed = 1e3;
 /// What flips and moves make of the mesh lets more vertices go in a second and third round.
 constexpr int kMostRounds = 3;
 /// By which part of E a vertex may raise it when it goes; moves take most of it back.
@@ -71,6 +69,6 @@ double largest_distortion(const MeshPair& mesh) {
   return quality_of(mesh.triangles(), mesh.rest(), mesh.deformed()).max_conformal_distortion;
 }
 
-bool is_crushed(const MeshPair& mesh) { return largest_distortion(mesh) >= tidying::kCrushed; }
+bool is_crushed(const MeshPair& mesh) { return largest_distortion(mesh) >= kCrushed; }
 
 }  // namespace foldless

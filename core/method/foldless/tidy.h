@@ -13,7 +13,8 @@ Steps<> tidy(Workspace& work);
 
 /// The largest σ₁/σ₂ of all triangles.
 double largest_distortion(const MeshPair& mesh);
-/// Whether a triangle counts as crushed: σ₁/σ₂ of a thousand.
+/// A triangle of this σ₁/σ₂ counts as crushed.
+inline constexpr double kCrushed = 1e3;
 bool is_crushed(const MeshPair& mesh);
 
 }  // namespace foldless
