@@ -37,11 +37,9 @@ constexpr int kLargestUncrushed = 2000;
 /// so many other ways are tried where triangles are crushed.
 constexpr int kWaysWhenCrushed = 6;
 
-/// Other candidates are tried where σ₁/σ₂ of a triangle is above this,
+/// Of a mesh of at most kLargestWithCandidates triangles,
+/// other candidates are tried where σ₁/σ₂ of one is above this,
 constexpr double kSuspiciousDistortion = 50;
-/// and of a mesh that began at rest, of at most so many triangles, above this.
-constexpr int kSmallMesh = 1500;
-constexpr double kSuspiciousDistortionOfASmallMesh = 20;
 
 /// Vertices that came with the original mesh stay, and so do those before a handle, whose indices
 /// must not change.
@@ -229,11 +227,9 @@ Steps<Progress> Foldless::split_and_approach(FactorUse use) {
 // Where a triangle is that distorted another way often ends in a better shape; the best one stays.
 Steps<> Foldless::try_candidates() {
   using namespace driver;
-  const int size = problem_.mesh.face_count();
-  const double suspicious = size <= kSmallMesh && is_at_rest(problem_)
-                                ? kSuspiciousDistortionOfASmallMesh
-                                : kSuspiciousDistortion;
-  if (size > kLargestWithCandidates || largest_distortion(work_.mesh) <= suspicious) co_return;
+  if (problem_.mesh.face_count() > kLargestWithCandidates ||
+      largest_distortion(work_.mesh) <= kSuspiciousDistortion)
+    co_return;
   const double most_distortion = most_distortion_beside(work_.mesh);
   bool has_changed = false;
   for (int i = 0; i < kCandidates; ++i) {
