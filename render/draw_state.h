@@ -31,7 +31,7 @@ class DrawState {
 };
 
 /// Draws over what is there, for as long as it lives: with colours that hide it, which need not be
-/// mixed with it (for a software rasteriser a tenth of a frame).
+/// mixed with it (for a software rasteriser a tenth of a frame). Blending is on before and after.
 class NoBlending {
  public:
   NoBlending();

@@ -71,7 +71,7 @@ void set_display(const ShaderProgram& program, const ImDrawData& data) {
   program.set("display_size", glm::vec2(data.DisplaySize.x, data.DisplaySize.y));
 }
 
-/// What a triangle needs: what is cheaper to draw comes later.
+/// What a triangle needs, the dearest first.
 enum class Paint {
   atlas,   ///< a picture or a letter
   plain,   ///< colour alone

@@ -4,7 +4,7 @@
 noperspective in vec2 pattern_position;  // a period is two squares
 
 uniform vec4 middle;           // of the light and the dark colour
-uniform vec4 half_difference;  // light less dark
+uniform vec4 half_difference;  // half of light less dark
 
 out vec4 fragment;
 

@@ -10,7 +10,7 @@ uniform vec2 pattern_origin;  // in the rest plane
 uniform vec2 pattern_size;    // of one period
 
 // Nothing is farther away than the rest, which saves a division a pixel.
-noperspective out vec2 pattern_position;    // periods from the origin
+noperspective out vec2 pattern_position;  // periods from the origin
 
 void main() {
   pattern_position = (rest - pattern_origin) / pattern_size;

@@ -9,7 +9,7 @@ uniform vec2 viewport;       // pixels
 uniform float half_width;    // pixels
 uniform int is_round;        // whether the ends are
 
-noperspective out vec2 along_across;       // pixels from the first end, pixels from the middle
+noperspective out vec2 along_across;  // pixels from the first end, pixels from the middle
 flat out float segment_length;
 
 void corner(vec2 pixel, float along, float across) {

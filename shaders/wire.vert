@@ -12,7 +12,7 @@ uniform vec2 viewport;       // pixels
 uniform float fade_length;   // pixels; shorter edges fade, 0: none do
 
 // Nothing is farther away than the rest, which saves a division a pixel.
-noperspective out vec3 distances;          // pixels to the lines of the edges
+noperspective out vec3 distances;  // pixels to the lines of the edges
 flat out vec3 fades;
 
 void main() {

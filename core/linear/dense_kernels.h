@@ -31,7 +31,8 @@ struct DenseKernels {
 /// Those that every processor has.
 extern const DenseKernels plain_kernels;
 /// Those for other instructions; null where the program or the processor does not have them. They
-/// multiply and subtract with one rounding and have the bits of each other, not of plain_kernels.
+/// multiply and subtract with one rounding, so that AVX2 and AVX-512 have the bits of each other
+/// and not those of plain_kernels.
 const DenseKernels* avx2_kernels();    ///< AVX2 and FMA
 const DenseKernels* avx512_kernels();  ///< AVX-512, where it does not cost a lower clock
 const DenseKernels* neon_kernels();    ///< every ARM processor of 64 bits

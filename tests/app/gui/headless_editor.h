@@ -12,6 +12,7 @@
 #include "app/gui/ui.h"
 #include "render/image.h"
 #include "render/offscreen.h"
+#include "tests/support/patience.h"
 
 namespace foldless::test {
 
@@ -34,7 +35,7 @@ class HeadlessEditor {
   /// test fails if what was drawn then has defects.
   void settle();
   /// Draws until `done`, at most `seconds` of real time. False when it never was.
-  bool wait_until(const std::function<bool()>& done, double seconds = 120);
+  bool wait_until(const std::function<bool()>& done, double seconds = kPatience.count());
   /// Seconds until the interface wants another frame; nothing: not until something happens.
   std::optional<double> next_frame() const { return ui_.next_frame(editor_, time_); }
   /// Lets messages go away and the pointer leave, so that nothing but the document is on screen.
