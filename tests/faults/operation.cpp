@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <iostream>
 #include <string_view>
 #include <thread>
 
@@ -62,6 +63,24 @@ bool wants_all_faults() {
 }
 
 long next_allocation(long n) { return wants_all_faults() ? n + 1 : n + 1 + n / 4; }
+
+FaultCounts::~FaultCounts() {
+  for (const auto& [kind, count] : counts_)
+    std::cout << "faults of " << kind << ": " << count.failed << " failed, " << count.last
+              << " were the last\n";
+}
+
+int FaultCounts::all_failed() const {
+  int sum = 0;
+  for (const auto& [kind, count] : counts_) sum += count.failed;
+  return sum;
+}
+
+int FaultCounts::all_last() const {
+  int sum = 0;
+  for (const auto& [kind, count] : counts_) sum += count.last;
+  return sum;
+}
 
 void run_and_kill(const std::vector<std::string>& arguments, std::chrono::microseconds time) {
   const TemporaryFolder notes;

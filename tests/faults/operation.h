@@ -26,6 +26,26 @@ bool wants_all_faults();
 /// The allocation that fails after the n-th: there are hundred thousands.
 long next_allocation(long n);
 
+/// Counts the faults of a test by their kinds, and tells them in the log at its end.
+class FaultCounts {
+ public:
+  FaultCounts() = default;
+  FaultCounts(const FaultCounts&) = delete;
+  FaultCounts& operator=(const FaultCounts&) = delete;
+  ~FaultCounts();
+  void failed(const std::string& kind) { ++counts_[kind].failed; }
+  void last(const std::string& kind) { ++counts_[kind].last; }
+  int all_failed() const;
+  int all_last() const;
+
+ private:
+  struct Count {
+    int failed = 0;  ///< calls that failed
+    int last = 0;    ///< calls before which the program was killed
+  };
+  std::map<std::string, Count> counts_;
+};
+
 /// Runs the program and kills it after a time, if it lives so long.
 void run_and_kill(const std::vector<std::string>& arguments, std::chrono::microseconds time);
 

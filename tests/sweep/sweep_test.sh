@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # sweep_test.sh killed|parallel|slurm TREE BUILD: a sweep in eight shards gives the rows of one run, when
-#   killed    two of the shards of 256 scenes are killed at their work and begun again; FOLDLESS_KILLS says how
-#             often that is tried, at later and later moments;
+#   killed    two of the shards of 256 scenes are killed at their work and begun again, some ten times each; until
+#             there were FOLDLESS_KILLS of them; tells how many;
 #   parallel  GNU parallel makes them, with the lines of docs/sweeps.md as they are pasted, of fewer scenes;
 #   slurm     a Slurm array does, of a cluster of this machine alone, which is begun here and ended.
 # Status 77: the engine is not installed, or does not begin here.
 set -euo pipefail
-mode=$1 tree=$2
-export PATH=$3:$PATH
+mode=$1 tree=$(realpath "$2")
+PATH=$(realpath "$3"):$PATH
+export PATH
 work=$(mktemp -d)
 cd "$work"
 
@@ -61,31 +62,34 @@ block_of() {
 
 killed() {
   # Every sixth scene is an easy one.
-  local round shard sweep=(--seed 5 --count 1536 --only "$(seq --separator=, 0 6 1530)" --method foldless)
+  local round shard at_work=0 sweep=(--seed 5 --count 1536 --only "$(seq --separator=, 0 6 1530)" --method foldless)
   make() { foldless bench --suite random "${sweep[@]}" --shard "$1/8" --append "$1.jsonl" >/dev/null 2>&1; }
   for shard in {3..8}; do make "$shard"; done
-  for ((round = 0; round < ${FOLDLESS_KILLS:-1}; round++)); do kill_shards $((1 + round % 12)); done
+  for ((round = 0; at_work < ${FOLDLESS_KILLS:-1}; round++)); do kill_shards $((1 + round % 3)); done
+  echo "$at_work times a shard was killed at its work, with some of its 32 rows written"
 }
 
-# kill_shard SHARD LINES: kills it at its work, when it has so many lines. It may end before that is seen, on a quick
-# machine or a busy one: then it is begun anew, and killed at its first line.
+# kill_shard SHARD LINES: begins it again and again, and kills it a moment after it has so many lines more. It may end
+# before that is seen, on a quick machine or a busy one: then it is begun anew.
 kill_shard() {
-  local shard=$1 lines=$2 try victim status
+  local shard=$1 try victim status lines before=$at_work
   for try in {1..50}; do
     rm -f "$shard.jsonl"
-    foldless bench --suite random "${sweep[@]}" --shard "$shard/8" --append "$shard.jsonl" >/dev/null &
-    victim=$! status=0
-    until [ "$(cat "$shard.jsonl" 2>/dev/null | wc -l)" -ge "$lines" ] || ! kill -0 "$victim" 2>/dev/null; do
-      sleep 0.005
+    lines=0 status=137
+    while [ $status -eq 137 ] && [ "$lines" -lt 32 ]; do
+      foldless bench --suite random "${sweep[@]}" --shard "$shard/8" --append "$shard.jsonl" >/dev/null 2>&1 &
+      victim=$! status=0
+      until [ "$(cat "$shard.jsonl" 2>/dev/null | wc -l)" -ge $((lines + $2)) ] || ! kill -0 "$victim" 2>/dev/null; do
+        sleep 0.005
+      done
+      sleep "0.0$((at_work % 4))"
+      kill -KILL "$victim" 2>/dev/null || true
+      wait "$victim" 2>/dev/null || status=$?
+      lines=$(wc -l <"$shard.jsonl")
+      [ $status -ne 137 ] || [ "$lines" -ge 32 ] || at_work=$((at_work + 1))
     done
-    kill -KILL "$victim" 2>/dev/null || true
-    wait "$victim" 2>/dev/null || status=$?
-    case $status in
-    0) ;;
-    137) [ "$(wc -l <"$shard.jsonl")" -ge 32 ] || return 0 ;;
-    *) echo "shard $shard ended with $status" && exit 1 ;;
-    esac
-    lines=1
+    [ $status -eq 0 ] || [ $status -eq 137 ] || { echo "shard $shard ended with $status" && exit 1; }
+    [ "$at_work" -eq "$before" ] || return 0
   done
   echo "shard $shard ended before it was killed, $try times" && exit 1
 }
