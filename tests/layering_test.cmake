@@ -7,7 +7,7 @@
 set(STD "<[a-z_]+>")
 set(POSIX "<(dirent|fcntl|unistd|poll|pthread|sched|spawn|signal|sys/[a-z]+)\\.h>")
 set(IMAGE_CODECS "<(png|gif_lib|turbojpeg|webp/[a-z_]+|zip|zlib|liblzf/lzf)\\.h>|<pugixml\\.hpp>")
-set(CORE "core/(error|exception_words|handle|iteration|snapshot|stage_times|data_path)\\.h")
+set(CORE "core/(error|exception_words|handle|iteration|large_pages|snapshot|stage_times|data_path)\\.h")
 set(PLAIN "${STD}|${POSIX}")
 
 file(GLOB_RECURSE SOURCES RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/core/* ${SOURCE_DIR}/render/*
@@ -57,7 +57,7 @@ set(BASE "${PLAIN}|${CORE}|core/threads/.*|<Eigen/[A-Za-z]+>|<nlohmann/json(_fwd
 set(MESH "${BASE}|<OpenMesh/.*>|core/mesh/.*")
 set(FILES "${MESH}|core/files/.*")
 set(LINEAR "${BASE}|core/linear/.*")
-set(ENERGY "${MESH}|core/linear/sparse_symmetric\\.h|core/energy/.*")
+set(ENERGY "${MESH}|core/linear/(buffer|sparse_symmetric)\\.h|core/energy/.*")
 set(REMESH "${ENERGY}|core/remesh/.*")
 set(SCENE "${ENERGY}|core/(files|scene)/.*|core/motion/(animation|bake|easing|track)\\.h|core/rig/(mirror_axis|rig)\\.h")
 set(METHOD "${REMESH}|core/(solve|multires|construct|cone|method)/.*|core/scene/parameters\\.h")

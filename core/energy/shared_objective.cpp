@@ -28,46 +28,44 @@ void clear_columns(SparseSymmetric& matrix, std::ptrdiff_t node) {
 }  // namespace
 
 void Objective::sum_shared(const Energy& energy, const Points& u, EnergyTerms& sum) const {
-  std::vector<ElementEnergy>& elements = energies_.of_size(rest_.size());
+  ElementEnergy* const elements = energies_.of_size(rest_.size());
   for_triangles(triangles_.cols(), [&](Eigen::Index t) {
-    elements[static_cast<std::size_t>(t)] = element_energy(
-        energy.settings, reference(energy.settings, t), corners_of(u, triangles_.col(t)));
+    energies_.set(elements + t, element_energy(energy.settings, reference(energy.settings, t),
+                                               corners_of(u, triangles_.col(t))));
   });
-  for (const ElementEnergy& element : elements) sum.add(element);
+  for (const ElementEnergy& element : std::span(elements, rest_.size())) sum.add(element);
 }
 
 void Objective::sum_shared(const Energy& energy, const Points& u, EnergyGradient& sum) const {
-  std::vector<ElementGradient>& elements = gradients_.of_size(rest_.size());
-  std::vector<ElementEnergy>& energies = energies_.of_size(rest_.size());
+  ElementGradient* const elements = gradients_.of_size(rest_.size());
+  ElementEnergy* const energies = energies_.of_size(rest_.size());
   for_triangles(triangles_.cols(), [&](Eigen::Index t) {
-    ElementGradient& element = elements[static_cast<std::size_t>(t)];
-    element = element_gradient(energy.settings, reference(energy.settings, t),
-                               corners_of(u, triangles_.col(t)));
-    energies[static_cast<std::size_t>(t)] = element.energy;
+    const ElementGradient& element = gradients_.set(
+        elements + t, element_gradient(energy.settings, reference(energy.settings, t),
+                                       corners_of(u, triangles_.col(t))));
+    energies_.set(energies + t, element.energy);
   });
-  for (const ElementEnergy& element : energies) sum.energy.add(element);
+  for (const ElementEnergy& element : std::span(energies, rest_.size())) sum.energy.add(element);
   for_vertices(corners_.vertices(), [&](std::ptrdiff_t v) {
     for (const auto& [triangle, corner] : corners_.of(v))
-      sum.gradient.segment<2>(2 * v) +=
-          elements[static_cast<std::size_t>(triangle)].gradient.segment<2>(2 * corner);
+      sum.gradient.segment<2>(2 * v) += elements[triangle].gradient.segment<2>(2 * corner);
   });
 }
 
 void Objective::sum_shared(const SecondOrder& at, EnergyGradient& sum,
                            SparseSymmetric& hessian) const {
-  std::vector<ElementHessian>& elements = hessians_.of_size(rest_.size());
-  std::vector<ElementEnergy>& energies = energies_.of_size(rest_.size());
+  ElementHessian* const elements = hessians_.of_size(rest_.size());
+  ElementEnergy* const energies = energies_.of_size(rest_.size());
   for_triangles(triangles_.cols(), [&](Eigen::Index t) {
-    ElementHessian& element = elements[static_cast<std::size_t>(t)];
-    element = second_order(at, t);
-    energies[static_cast<std::size_t>(t)] = element.energy;
+    const ElementHessian& element = hessians_.set(elements + t, second_order(at, t));
+    energies_.set(energies + t, element.energy);
   });
-  for (const ElementEnergy& element : energies) sum.energy.add(element);
+  for (const ElementEnergy& element : std::span(energies, rest_.size())) sum.energy.add(element);
   for_vertices(corners_.vertices(), [&](std::ptrdiff_t v) {
     clear_columns(hessian, v);
     const int j = node_of(static_cast<int>(v), at.energy.constraints);
     for (const auto& [triangle, corner] : corners_.of(v)) {
-      const ElementHessian& element = elements[static_cast<std::size_t>(triangle)];
+      const ElementHessian& element = elements[triangle];
       sum.gradient.segment<2>(2 * v) += element.gradient.segment<2>(2 * corner);
       if (j < 0) continue;
       for (int other = 0; other < 3; ++other) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/files/text_lines.h"
+#include "core/large_pages.h"
 
 namespace foldless {
 namespace {
@@ -70,11 +71,12 @@ void append_obj_faces(std::string& text, const Triangles& triangles, bool is_tex
 }
 
 /// Hardly ever are there more bytes. Of a million triangles it is a hundred megabytes: growing
-/// would copy it some times.
+/// would copy it some times, and of its small pages every one would be a fault.
 std::string with_room(Eigen::Index points, Eigen::Index triangles) {
   constexpr Eigen::Index kOfAPoint = 50, kOfATriangle = 48;
   std::string text;
   text.reserve(static_cast<std::size_t>(kOfAPoint * points + kOfATriangle * triangles));
+  ask_for_large_pages(text.data(), text.capacity());
   return text;
 }
 

@@ -4,12 +4,9 @@
 #include <cstddef>
 #include <memory>
 
-namespace foldless {
+#include "core/large_pages.h"
 
-/// Asks the system to make this memory of large pages, where it does so when asked: of a factor
-/// that fills for the first time every small page is a fault. To be called before anything is
-/// written there; it changes no more than time.
-void ask_for_large_pages(void* memory, std::size_t bytes);
+namespace foldless {
 
 /// Values that are not initialised.
 template <class Value>

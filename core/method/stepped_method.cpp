@@ -14,8 +14,10 @@ std::optional<Iteration> SteppedMethod::step(const std::stop_token& token) {
   if (!steps_ || outcome_ || token.stop_requested()) return std::nullopt;
   const double start = thread_seconds();
   context_.record.reset();
-  // A relaxation that has nothing to do is a request without a record.
-  while (!outcome_ && !context_.record && context_.request->make(token)) {
+  // A relaxation that has nothing to do is a request without a record; so are a coarse mesh and its
+  // map, after which the first update of a large mesh is far.
+  while (!outcome_ && !context_.record && !token.stop_requested() &&
+         context_.request->make(token)) {
     context_.waiting.resume();
     see_whether_ended();
   }

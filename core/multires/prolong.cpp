@@ -60,8 +60,10 @@ class Prolongation {
     result_.mesh.set_deformed(positions());
   }
 
-  std::optional<ProlongedMesh> result() {
+  std::optional<ProlongedMesh> result(const std::stop_token& token) {
+    if (token.stop_requested()) return std::nullopt;
     insert_edges();
+    if (token.stop_requested()) return std::nullopt;
     if (is_valid()) return std::move(result_);
     const int vertices = result_.mesh.vertex_count();
     mend();
@@ -211,8 +213,8 @@ class Prolongation {
 }  // namespace
 
 std::optional<ProlongedMesh> prolonged(const CoarseMesh& coarse, const MeshPair& fine,
-                                       const EnergySettings& energy) {
-  return Prolongation(coarse, fine, energy).result();
+                                       const EnergySettings& energy, const std::stop_token& token) {
+  return Prolongation(coarse, fine, energy).result(token);
 }
 
 }  // namespace foldless

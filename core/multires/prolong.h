@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 
 #include "core/energy/element.h"
 #include "core/multires/coarsen.h"
@@ -23,8 +24,9 @@ struct ProlongedMesh {
 /// fine mesh by flips, so that the map is the coarse one there. Where the fine mesh folds or leaves
 /// the feasible set, A′ > δA, all the same, those of these edges that end at vertices which splits
 /// made become edges of it too: it gets these vertices, behind its own. Nothing when it is not
-/// locally injective then, or not feasible where the coarse one is.
+/// locally injective then, or not feasible where the coarse one is, or a stop is requested.
 std::optional<ProlongedMesh> prolonged(const CoarseMesh& coarse, const MeshPair& fine,
-                                       const EnergySettings& energy);
+                                       const EnergySettings& energy,
+                                       const std::stop_token& token = {});
 
 }  // namespace foldless

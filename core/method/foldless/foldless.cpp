@@ -70,11 +70,12 @@ RunSettings settings_of(const Problem& problem) {
   return settings;
 }
 
-/// Coarsening a large mesh takes long; it is done again with the next step when it was cancelled.
-struct Coarsening {
+/// To make a coarse mesh of a large one, and to bring its map back, takes long; it is done again
+/// with the next step when it was cancelled.
+struct ChangeOfMesh {
   bool cancelled = false;
 };
-bool is_cancelled(const Coarsening& coarsening) { return coarsening.cancelled; }
+bool is_cancelled(const ChangeOfMesh& change) { return change.cancelled; }
 
 }  // namespace driver
 
@@ -178,15 +179,19 @@ Steps<> Foldless::coarse_to_fine() {
   std::optional<CoarseProblem> coarse;
   const auto coarsen = [&](const std::stop_token& token) {
     coarse = coarse_problem(problem_, dense_, token);
-    return driver::Coarsening{token.stop_requested()};
+    return driver::ChangeOfMesh{token.stop_requested()};
   };
   co_await vertex_update(coarsen);
   if (!coarse) co_return;
   Foldless run(coarse->problem, dense_);
   co_await run_inside(run, Phase::coarse, effort());
   if (run.outcome() != Outcome::gradient) co_return;
-  std::optional<ProlongedMesh> fine =
-      prolonged({run.mesh(), coarse->vertices}, work_.mesh, settings_.energy);
+  std::optional<ProlongedMesh> fine;
+  const auto prolong = [&](const std::stop_token& token) {
+    fine = prolonged({run.mesh(), coarse->vertices}, work_.mesh, settings_.energy, token);
+    return driver::ChangeOfMesh{token.stop_requested()};
+  };
+  co_await vertex_update(prolong);
   if (!fine) co_return;
   effort().flips += fine->flips;
   effort().splits += fine->splits;

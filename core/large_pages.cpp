@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/linear/buffer.h"
+#include "core/large_pages.h"
 
 #include <sys/mman.h>
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+namespace foldless {
+
+/// Asks the system to make this memory of large pages, where it does so when asked: of what fills
+/// for the first time every small page is a fault. To be called before anything is written there;
+/// it changes no more than time.
+void ask_for_large_pages(void* memory, std::size_t bytes);
+
+}  // namespace foldless
