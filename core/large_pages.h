@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 namespace foldless {
 
@@ -9,5 +10,12 @@ namespace foldless {
 /// for the first time every small page is a fault. To be called before anything is written there;
 /// it changes no more than time.
 void ask_for_large_pages(void* memory, std::size_t bytes);
+
+/// The same of what a vector will hold, which is empty yet.
+template <class Value>
+void reserve_large_pages(std::vector<Value>& values, std::size_t size) {
+  values.reserve(size);
+  ask_for_large_pages(values.data(), size * sizeof(Value));
+}
 
 }  // namespace foldless

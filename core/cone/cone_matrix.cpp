@@ -42,6 +42,7 @@ ConeMatrix::ConeMatrix(int nodes, const std::vector<std::array<int, 3>>& element
     : matrix_(pattern_of(nodes, elements)) {}
 
 bool ConeMatrix::factorize(const ConeProgram& program, const MiddleMatrices& middle) {
+  if (is_stopped()) return false;
   {
     StageTimer timer(times_.assemble);
     std::ranges::fill(matrix_.value, 0.0);

@@ -268,10 +268,14 @@ bool ConeSolver::factorize_cost(const ConeProgram& program, const std::stop_toke
   return has_factor;
 }
 
-Eigen::VectorXd ConeSolver::minimize_cost(const ConeProgram& program) {
+Eigen::VectorXd ConeSolver::minimize_cost(const ConeProgram& program,
+                                          const std::stop_token& token) {
+  matrix_.obey(token);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix_.size());
   for (const ConeElement& e : program) add_corners(-e.q, e, right);
-  return matrix_.solve(program, no_constraints(program), right);
+  Eigen::VectorXd x = matrix_.solve(program, no_constraints(program), right);
+  matrix_.obey({});
+  return x;
 }
 
 }  // namespace foldless

@@ -45,8 +45,8 @@ class ConeSolver {
   /// stopped it.
   bool factorize_cost(const ConeProgram& program, const std::stop_token& token);
   /// The minimiser of the cost without the constraints. Precondition: factorize_cost() was the last
-  /// call, succeeded, and was of a program with the same P.
-  Eigen::VectorXd minimize_cost(const ConeProgram& program);
+  /// call, succeeded, and was of a program with the same P. Less exact where the token stopped it.
+  Eigen::VectorXd minimize_cost(const ConeProgram& program, const std::stop_token& token = {});
 
   /// Of all solves so far.
   int factorizations() const { return matrix_.factorizations(); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/large_pages.h"
 #include "core/threads/team.h"
 
 namespace foldless {
@@ -32,8 +33,11 @@ void make_graph(SparseSymmetric& m, const std::vector<std::pair<int, int>>& edge
 }
 
 void make_columns(SparseSymmetric& m) {
+  const std::size_t size = 3 * static_cast<std::size_t>(m.nodes) + 4 * m.graph.size();
+  reserve_large_pages(m.row, size);
+  reserve_large_pages(m.value, size);
+  m.column_start.reserve(2 * static_cast<std::size_t>(m.nodes) + 1);
   m.column_start.assign(1, 0);
-  m.row.clear();
   for (int j = 0; j < m.nodes; ++j)
     for (int column = 0; column < 2; ++column) {
       for (int r = column; r < 2; ++r) m.row.push_back(2 * j + r);

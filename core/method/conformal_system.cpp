@@ -5,9 +5,11 @@
 #include <array>
 
 #include "core/error.h"
+#include "core/large_pages.h"
 #include "core/mesh/components.h"
 #include "core/mesh/quality.h"
 #include "core/method/satisfied.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -147,28 +149,15 @@ Points ConformalSystem::with_handles(Points u, const Points& targets) const {
 
 ConeProgram ConformalSystem::program(const Points& u, const Points& targets,
                                      const std::vector<TriangleTerm>& terms) const {
-  ConeProgram program(free_.size());
-  for (std::size_t t = 0; t < free_.size(); ++t) {
-    const FreeTriangle& triangle = free_[t];
-    const TriangleTerm& term = terms[t];
-    ConeElement& e = program[t];
-    const Eigen::Vector4d target(term.z_target.real(), term.z_target.imag(),
-                                 term.zbar_target.real(), term.zbar_target.imag());
-    const Eigen::Vector4d weights(term.z_weight, term.z_weight, term.zbar_weight, term.zbar_weight);
-    const double area = triangle.area / (diagonal_ * diagonal_);
-    const Eigen::Matrix<double, 6, 4> BD = 2 * area * triangle.B.transpose() * weights.asDiagonal();
-    e.nodes = triangle.nodes;
-    e.weight = area;
-    e.P = BD * triangle.B;
-    e.q = -BD * target;
-    e.G = term.R * triangle.B;
-    for (int j = 0; j < 3; ++j) {
-      if (triangle.nodes[static_cast<std::size_t>(j)] >= 0) continue;
-      const Vec2 held = u.col(triangle.vertices[j]) / diagonal_;
-      e.q += e.P.middleCols<2>(2 * j) * held;
-      e.g += e.G.middleCols<2>(2 * j) * held;
-    }
-  }
+  ConeProgram program;
+  reserve_large_pages(program, free_.size());
+  program.resize(free_.size());
+  constexpr std::ptrdiff_t kTrianglesTogether = 512;
+  in_ranges(static_cast<std::ptrdiff_t>(free_.size()), kTrianglesTogether,
+            [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+              for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
+                program[t] = element(u, free_[t], terms[t]);
+            });
   for (const Spring& spring : springs_) {
     ConeElement& e = program[spring.triangle];
     e.P.diagonal().segment<2>(2 * spring.corner).array() += 2 * spring.stiffness;
@@ -176,6 +165,28 @@ ConeProgram ConformalSystem::program(const Points& u, const Points& targets,
         2 * spring.stiffness * targets.col(spring.handle) / diagonal_;
   }
   return program;
+}
+
+ConeElement ConformalSystem::element(const Points& u, const FreeTriangle& triangle,
+                                     const TriangleTerm& term) const {
+  ConeElement e;
+  const Eigen::Vector4d target(term.z_target.real(), term.z_target.imag(), term.zbar_target.real(),
+                               term.zbar_target.imag());
+  const Eigen::Vector4d weights(term.z_weight, term.z_weight, term.zbar_weight, term.zbar_weight);
+  const double area = triangle.area / (diagonal_ * diagonal_);
+  const Eigen::Matrix<double, 6, 4> BD = 2 * area * triangle.B.transpose() * weights.asDiagonal();
+  e.nodes = triangle.nodes;
+  e.weight = area;
+  e.P = BD * triangle.B;
+  e.q = -BD * target;
+  e.G = term.R * triangle.B;
+  for (int j = 0; j < 3; ++j) {
+    if (triangle.nodes[static_cast<std::size_t>(j)] >= 0) continue;
+    const Vec2 held = u.col(triangle.vertices[j]) / diagonal_;
+    e.q += e.P.middleCols<2>(2 * j) * held;
+    e.g += e.G.middleCols<2>(2 * j) * held;
+  }
+  return e;
 }
 
 Points ConformalSystem::moved(Points u, const Eigen::VectorXd& x) const {
@@ -192,15 +203,17 @@ std::optional<Points> ConformalSystem::unconstrained_minimum(const Points& u, co
   if (token.stop_requested()) return std::nullopt;
   solver.factorize_cost(cost, token);
   if (token.stop_requested()) return std::nullopt;
-  Points minimum = moved(u, solver.minimize_cost(cost));
+  Points minimum = moved(u, solver.minimize_cost(cost, token));
   for (int step = 1; follows_frame && step < kLocalGlobalSteps; ++step) {
     if (token.stop_requested()) return std::nullopt;
     const std::vector<ConformalParts> now = parts(minimum);
     for (std::size_t t = 0; t < terms.size(); ++t)
       terms[t].z_target = direction_of(now[t].f_z, terms[t].z_target);
     cost = program(u, targets, terms);
-    minimum = moved(u, solver.minimize_cost(cost));
+    if (token.stop_requested()) return std::nullopt;
+    minimum = moved(u, solver.minimize_cost(cost, token));
   }
+  if (token.stop_requested()) return std::nullopt;
   return minimum;
 }
 

@@ -81,6 +81,8 @@ class ConformalSystem {
   void find_unknowns(const Problem& problem);
   void add_springs(const Problem& problem);
   std::vector<std::array<int, 3>> element_nodes() const;
+  ConeElement element(const Points& u, const FreeTriangle& triangle,
+                      const TriangleTerm& term) const;
 
   const Density* density_;
   Points rest_;

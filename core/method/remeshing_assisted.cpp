@@ -140,8 +140,10 @@ Steps<RemeshingAssisted::RoundEnd> RemeshingAssisted::inner_loop(int outer) {
     if (!round.is_last_step_small) round.has_changed_mesh = true;
     system_.assemble_gradient(energy_, mesh_.deformed());
     std::optional<Outcome> ended = convergence(update);
+    co_await Pause();
     if (!ended && flip() > 0) {
       round.has_changed_mesh = true;
+      co_await Pause();
       system_.assemble_gradient(energy_, mesh_.deformed());
     }
     const bool is_limit_reached = inner >= parameters_.inner_iterations ||

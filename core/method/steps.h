@@ -21,8 +21,9 @@ namespace foldless {
 ///     co_yield [&](Iteration& record) { … };                     // corrects it
 ///     const Progress progress = co_await approach(work);         // steps within steps
 ///
-/// It waits at vertex_update() and nowhere else, so whatever follows an update, up to the next one,
-/// belongs to the same step of the method. Destroying it while it waits is safe.
+/// It waits at vertex_update() and, where it is stopped, at a Pause, and nowhere else, so whatever
+/// follows an update, up to the next one, belongs to the same step of the method. Destroying it
+/// while it waits is safe.
 template <typename T = void>
 class Steps;
 
@@ -81,6 +82,22 @@ template <typename Make>
 VertexUpdateRequest<Make> vertex_update(Make& make) {
   return VertexUpdateRequest<Make>(make);
 }
+
+/// co_await Pause() waits for the next step where a stop is requested: between two things that take
+/// long on a large mesh and do not look at a token.
+class Pause final : public UpdateRequest {
+ public:
+  bool make(const std::stop_token& token) override { return !token.stop_requested(); }
+
+  bool await_ready() const noexcept { return false; }
+  template <typename Promise>
+  void await_suspend(std::coroutine_handle<Promise> waiting) noexcept {
+    StepContext& context = *waiting.promise().context;
+    context.request = this;
+    context.waiting = waiting;
+  }
+  void await_resume() const noexcept {}
+};
 
 /// What the promises of all Steps have in common.
 struct StepsPromiseBase {

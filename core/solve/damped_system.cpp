@@ -18,13 +18,14 @@ DampedSystem::DampedSystem(const MeshPair& mesh, const Constraints& constraints,
 
 bool DampedSystem::factorize_plain(const std::stop_token& token) {
   factor().obey(token);
-  if (!factorize(*this, 0)) return false;
+  if (token.stop_requested() || !factorize(*this, 0)) return false;
   lambda_ = kLambdaAfterSuccess;
   return true;
 }
 
 std::optional<double> DampedSystem::factorize_damped(bool plain_failed,
                                                      const std::stop_token& token) {
+  if (token.stop_requested()) return std::nullopt;
   analyze(*this);
   if (token.stop_requested()) return std::nullopt;
   if (!plain_failed && factorize_plain(token)) return 0;

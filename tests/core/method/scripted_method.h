@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct Script {
   int cancelled = 0;   ///< times that an update was
   int cancels = 0;     ///< so many updates from now on are cancelled
   bool fails = false;  ///< the next update throws
+  std::stop_source stop;
+  int stops_at = 0;  ///< the update of this number requests it, as a signal that comes meanwhile
 
   /// An update that is cancelled, or throws, or counts.
   VertexUpdate update() {
@@ -28,7 +31,8 @@ struct Script {
       ++cancelled;
       return {.cancelled = true};
     }
-    return {.step_length = static_cast<double>(++made)};
+    if (++made == stops_at) stop.request_stop();
+    return {.step_length = static_cast<double>(made)};
   }
   void say(std::string words) { said.push_back(std::move(words)); }
 };

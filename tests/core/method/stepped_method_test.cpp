@@ -130,6 +130,38 @@ TEST(SteppedMethod, AnUpdateWithoutARecordDoesNotEndAStep) {
   EXPECT_EQ(script.made, 4);
 }
 
+TEST(SteppedMethod, AfterAnUpdateWithoutARecordAStopIsObeyed) {
+  Script script;
+  script.stops_at = 2;
+  ScriptedMethod method(script, silent_update);
+  EXPECT_TRUE(method.step(script.stop.get_token()));
+  EXPECT_FALSE(method.step(script.stop.get_token()));
+  EXPECT_EQ(script.made, 2);
+  EXPECT_EQ(method.step({})->step_length, 3);
+}
+
+/// Like a large mesh whose flips take long.
+Steps<Outcome> pause_before_the_record(Script& script) {
+  const auto next = [&script](std::stop_token) { return script.update(); };
+  const VertexUpdate update = co_await vertex_update(next);
+  script.say("long");
+  co_await Pause();
+  script.say("longer");
+  co_yield record_of(update);
+  co_return Outcome::step;
+}
+
+TEST(SteppedMethod, AtAPauseAStopIsObeyedAndTheNextStepGoesOnThere) {
+  Script script;
+  script.stops_at = 1;
+  ScriptedMethod method(script, pause_before_the_record);
+  EXPECT_FALSE(method.step(script.stop.get_token()));
+  EXPECT_FALSE(method.outcome());
+  EXPECT_EQ(script.said, Words{"long"});
+  EXPECT_EQ(method.step({})->step_length, 1) << "the same update";
+  EXPECT_EQ(script.said, (Words{"long", "longer"}));
+}
+
 TEST(SteppedMethod, AnUpdateWithoutARecordIsNotMadeTwiceWhereTheNextIsCancelled) {
   Script script;
   ScriptedMethod method(script, [](Script& s) -> Steps<Outcome> {

@@ -70,6 +70,13 @@ TEST(Prolonged, TheIdentityStaysTheIdentity) {
   EXPECT_LE((result->mesh.deformed() - fine.rest()).cwiseAbs().maxCoeff(), 1e-15);
 }
 
+TEST(Prolonged, NothingComesOfItWhereAStopIsRequested) {
+  const MeshPair fine = fine_grid();
+  std::stop_source stopped;
+  stopped.request_stop();
+  EXPECT_FALSE(prolonged(coarsened(fine, {}, 200), fine, energy(), stopped.get_token()));
+}
+
 TEST(Prolonged, AnAffineMapIsReproducedWithoutAFlip) {
   const MeshPair fine = fine_grid();
   CoarseMesh coarse = coarsened(fine, {}, 200);
