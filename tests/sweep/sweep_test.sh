@@ -72,20 +72,23 @@ killed() {
 # kill_shard SHARD LINES: begins it again and again, and kills it a moment after it has so many lines more. It may end
 # before that is seen, on a quick machine or a busy one: then it is begun anew.
 kill_shard() {
-  local shard=$1 try victim status lines before=$at_work
+  local shard=$1 try victim status lines rows before=$at_work
   for try in {1..50}; do
     rm -f "$shard.jsonl"
     lines=0 status=137
     while [ $status -eq 137 ] && [ "$lines" -lt 32 ]; do
       foldless bench --suite random "${sweep[@]}" --shard "$shard/8" --append "$shard.jsonl" >/dev/null 2>&1 &
       victim=$! status=0
-      until [ "$(cat "$shard.jsonl" 2>/dev/null | wc -l)" -ge $((lines + $2)) ] || ! kill -0 "$victim" 2>/dev/null; do
-        sleep 0.005
+      while kill -0 "$victim" 2>/dev/null; do
+        rows=()
+        [ ! -e "$shard.jsonl" ] || mapfile -t rows <"$shard.jsonl"
+        [ ${#rows[@]} -lt $((lines + $2)) ] || break
+        sleep 0.01
       done
       sleep "0.0$((at_work % 4))"
       kill -KILL "$victim" 2>/dev/null || true
       wait "$victim" 2>/dev/null || status=$?
-      lines=$(wc -l <"$shard.jsonl")
+      lines=$(cat "$shard.jsonl" 2>/dev/null | wc -l)
       [ $status -ne 137 ] || [ "$lines" -ge 32 ] || at_work=$((at_work + 1))
     done
     [ $status -eq 0 ] || [ $status -eq 137 ] || { echo "shard $shard ended with $status" && exit 1; }
