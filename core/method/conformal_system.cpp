@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 
+#include "core/energy/shared_elements.h"
 #include "core/error.h"
 #include "core/large_pages.h"
 #include "core/mesh/components.h"
 #include "core/mesh/quality.h"
 #include "core/method/satisfied.h"
-#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -152,12 +152,10 @@ ConeProgram ConformalSystem::program(const Points& u, const Points& targets,
   ConeProgram program;
   reserve_large_pages(program, free_.size());
   program.resize(free_.size());
-  constexpr std::ptrdiff_t kTrianglesTogether = 512;
-  in_ranges(static_cast<std::ptrdiff_t>(free_.size()), kTrianglesTogether,
-            [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-              for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
-                program[t] = element(u, free_[t], terms[t]);
-            });
+  for_triangles(static_cast<std::ptrdiff_t>(free_.size()), [&](std::ptrdiff_t i) {
+    const auto t = static_cast<std::size_t>(i);
+    program[t] = element(u, free_[t], terms[t]);
+  });
   for (const Spring& spring : springs_) {
     ConeElement& e = program[spring.triangle];
     e.P.diagonal().segment<2>(2 * spring.corner).array() += 2 * spring.stiffness;
