@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_line.h"
 
+#include <unistd.h>
+
+#include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
+#include <string_view>
 
 #include "app/cli/calls.h"
 #include "app/cli/streams.h"
@@ -41,6 +46,19 @@ struct Runner {
   }
 };
 
+/// Libraries have functions that ask for memory and say that they throw nothing.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    constexpr std::string_view kWords = "foldless: there is not enough memory\n";
+    if (::write(STDERR_FILENO, kWords.data(), kWords.size()) > 0) ::_exit(kExitBadInput);
+  } catch (...) {
+    std::abort();
+  }
+  std::abort();
+}
+
 /// One line, whatever the message.
 std::string line_of(std::string message) {
   for (char& c : message)
@@ -51,6 +69,7 @@ std::string line_of(std::string message) {
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv, const EditorCalls& editor) {
+  std::set_terminate(end_without_memory);
   try {
     prepare_streams();
     const int status = std::visit(Runner{editor}, parse_arguments(argc, argv));

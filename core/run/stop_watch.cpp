@@ -4,9 +4,7 @@
 #include <pthread.h>
 
 #include <chrono>
-#include <condition_variable>
 #include <ctime>
-#include <mutex>
 #include <utility>
 
 namespace foldless {
@@ -30,16 +28,14 @@ StopWatch::StopWatch(StopConditions conditions) : conditions_(std::move(conditio
 }
 
 void StopWatch::watch(const std::stop_token& ending, clockid_t clock) {
-  std::mutex mutex;
-  std::condition_variable_any pause;
-  std::unique_lock lock(mutex);
+  std::unique_lock lock(mutex_);
   while (!ending.stop_requested() && !stop_.stop_requested()) {
     if (conditions_.time_limit && seconds_on(clock) > *conditions_.time_limit) {
       is_time_over_ = true;
       stop_.request_stop();
     }
     if (conditions_.is_interrupted && conditions_.is_interrupted()) stop_.request_stop();
-    pause.wait_for(lock, ending, std::chrono::milliseconds(10), [] { return false; });
+    pause_.wait_for(lock, ending, std::chrono::milliseconds(10), [] { return false; });
   }
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <ctime>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <thread>
@@ -31,7 +33,9 @@ class StopWatch {
   StopConditions conditions_;
   std::stop_source stop_;
   std::atomic<bool> is_time_over_ = false;
-  std::jthread thread_;  ///< the last member: it ends before the others do
+  std::mutex mutex_;
+  std::condition_variable_any pause_;  ///< made here: the thread is to need no memory
+  std::jthread thread_;                ///< the last member: it ends before the others do
 };
 
 /// The processor time of the calling thread, as a clock that other threads can read.

@@ -13,6 +13,7 @@
 #include "core/run/background_bake.h"
 #include "core/run/background_frames.h"
 #include "core/run/background_moment.h"
+#include "core/run/stop_watch.h"
 #include "core/run/worker.h"
 #include "tests/core/run/scripted_method.h"
 #include "tests/support/failing_allocation.h"
@@ -61,6 +62,13 @@ TEST(ShortMemory, OfTheSolverIsItsError) {
     ASSERT_TRUE(comes_true(goes_on)) << n;
   }
   EXPECT_GT(failed, 50);
+}
+
+TEST(ShortMemory, IsNothingToAWatchWhichNeedsNone) {
+  const FailingAllocation failing(1);
+  const StopWatch watch({.time_limit = {}, .is_interrupted = [] { return true; }});
+  EXPECT_TRUE(comes_true([&] { return watch.token().stop_requested(); }));
+  EXPECT_FALSE(failing.has_happened());
 }
 
 TEST(ShortMemory, OfFramesIsTheirError) {
