@@ -194,8 +194,11 @@ TEST_F(DocumentFaults, WorkThatIsRecoveredIsKeptUntilItIsSaved) {
   bears("Recovers", [&](bool is_done) {
     const bool is_saved = fs::exists(out() / "saved.json");
     EXPECT_TRUE(is_saved || !is_done);
-    if (is_saved) EXPECT_NE(read_file(out() / "saved.json").find("newer"), std::string::npos);
-    if (!is_saved) EXPECT_EQ(what_is_kept(out()), "newer");
+    if (is_saved) {
+      EXPECT_NE(read_file(out() / "saved.json").find("newer"), std::string::npos);
+    } else {
+      EXPECT_EQ(what_is_kept(out()), "newer");
+    }
   });
 }
 

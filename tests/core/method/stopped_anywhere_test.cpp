@@ -38,7 +38,9 @@ TEST(StoppedAnywhere, ARunGoesOnAsIfItHadNotBeenStopped) {
           step_that_is_stopped_after(std::chrono::microseconds(random() % 3000), *method) ||
           method->outcome();
       stopped += !has_record;
-      if (!has_record && !method->step({})) ASSERT_TRUE(method->outcome());
+      if (!has_record && !method->step({})) {
+        ASSERT_TRUE(method->outcome());
+      }
       undisturbed->step({});
       ASSERT_EQ(method->mesh().triangles(), undisturbed->mesh().triangles()) << step;
       ASSERT_EQ(method->mesh().deformed(), undisturbed->mesh().deformed()) << step;
