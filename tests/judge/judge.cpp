@@ -3,25 +3,45 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace judge {
 namespace {
 
 struct Direction {
-  mpq_class x, y;
+  const Point &from, &to;
+
+  mpq_class exact(int i) const { return mpq_class(to[i]) - mpq_class(from[i]); }
+  double rounded(int i) const { return to[i] - from[i]; }
 };
 
-Direction between(const Point& from, const Point& to) {
-  return {mpq_class(to[0]) - mpq_class(from[0]), mpq_class(to[1]) - mpq_class(from[1])};
+/// Of a sum of two products of differences. Doubles decide it where they can: a product of rounded
+/// differences is rounded three times by 2⁻⁵³ of itself at most, or to a number that is below the
+/// normal ones, and the sum once more. What overflows compares as false.
+int sign_of_sum(double left, double right) {
+  const double sum = left + right;
+  const double doubt = 0x1p-50 * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+  return sum > doubt ? 1 : sum < -doubt ? -1 : 0;
 }
 
-int sign_of_cross(const Direction& a, const Direction& b) { return sgn(a.x * b.y - a.y * b.x); }
-int sign_of_dot(const Direction& a, const Direction& b) { return sgn(a.x * b.x + a.y * b.y); }
+int sign_of_cross(const Direction& a, const Direction& b) {
+  if (const int sign = sign_of_sum(a.rounded(0) * b.rounded(1), -a.rounded(1) * b.rounded(0)))
+    return sign;
+  return sgn(a.exact(0) * b.exact(1) - a.exact(1) * b.exact(0));
+}
+
+int sign_of_dot(const Direction& a, const Direction& b) {
+  if (const int sign = sign_of_sum(a.rounded(0) * b.rounded(0), a.rounded(1) * b.rounded(1)))
+    return sign;
+  return sgn(a.exact(0) * b.exact(0) + a.exact(1) * b.exact(1));
+}
 
 /// The angle from `axis` to `d` is in [0, π), not in [π, 2π).
 bool is_in_first_half(const Direction& axis, const Direction& d) {
@@ -67,7 +87,7 @@ class Trial {
         if (!std::isfinite(point(v)[0]) || !std::isfinite(point(v)[1]))
           return object("vertex ", v, " is not finite");
       }
-      const int side = sign_of_cross(between(point(a), point(b)), between(point(a), point(c)));
+      const int side = sign_of_cross({point(a), point(b)}, {point(a), point(c)});
       if (side < 0) object("triangle ", t, " is clockwise");
       if (side == 0) object("triangle ", t, " has no area");
     }
@@ -105,11 +125,11 @@ class Trial {
     const std::size_t triangles = fan.is_closed ? fan.rim.size() : fan.rim.size() - 1;
     if (triangles != after.size()) return object("the triangles of vertex ", v, " are no one fan");
     // Every triangle takes the rim on by less than π, so that no half is jumped over.
-    const Direction axis = between(point(v), point(fan.rim.front()));
+    const Direction axis{point(v), point(fan.rim.front())};
     int turns = 0;
     bool was_in_first_half = true;
     for (std::size_t i = 1; i <= triangles; ++i) {
-      const Direction spoke = between(point(v), point(fan.rim[i % fan.rim.size()]));
+      const Direction spoke{point(v), point(fan.rim[i % fan.rim.size()])};
       const bool is_first = is_in_first_half(axis, spoke);
       if (is_first && !was_in_first_half) ++turns;
       was_in_first_half = is_first;
@@ -123,6 +143,37 @@ class Trial {
   std::vector<std::string> objections_;
 };
 
+/// Of a line, those between blanks.
+class Words {
+ public:
+  explicit Words(const std::string& line) : line_(line), rest_(line) {}
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw std::runtime_error(what + ": " + line_);
+  }
+  /// Empty after the last one.
+  std::string_view next() {
+    constexpr std::string_view kBlanks = " \t\r";
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
+    rest_.remove_prefix(word.size());
+    return word;
+  }
+  /// That with which the next word begins.
+  template <typename Number>
+  Number number() {
+    const std::string_view word = next();
+    Number number{};
+    if (std::from_chars(word.data(), word.data() + word.size(), number).ec != std::errc())
+      refuse("a number that is none");
+    return number;
+  }
+
+ private:
+  const std::string& line_;
+  std::string_view rest_;
+};
+
 }  // namespace
 
 std::vector<std::string> objections_to(const Mesh& mesh) { return Trial(mesh).objections(); }
@@ -130,18 +181,16 @@ std::vector<std::string> objections_to(const Mesh& mesh) { return Trial(mesh).ob
 Mesh read_obj(std::istream& in) {
   Mesh mesh;
   for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string word;
-    if (!(words >> word)) continue;
+    Words words(line);
+    const std::string_view word = words.next();
     if (word == "v") {
-      std::string x, y;
-      words >> x >> y;
-      mesh.points.push_back({std::stod(x), std::stod(y)});
+      const double x = words.number<double>();
+      mesh.points.push_back({x, words.number<double>()});
     } else if (word == "f") {
-      std::vector<int> corners;
-      while (words >> word) corners.push_back(std::stoi(word) - 1);
-      if (corners.size() != 3) throw std::runtime_error("a face that is no triangle: " + line);
-      mesh.triangles.push_back({corners[0], corners[1], corners[2]});
+      Triangle corners;
+      for (int& corner : corners) corner = words.number<int>() - 1;
+      if (!words.next().empty()) words.refuse("a face that is no triangle");
+      mesh.triangles.push_back(corners);
     }
   }
   return mesh;

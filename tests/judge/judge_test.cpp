@@ -58,6 +58,19 @@ TEST(Judge, DecidesAreasExactly) {
   EXPECT_EQ(objections_to(mesh), Sentences{"triangle 0 is clockwise"});
 }
 
+TEST(Judge, DecidesAreasOfOneHalfThatAreDifferencesOfLongProducts) {
+  double first = 1, second = 1;  // Fibonacci's: F(n) F(n+2) - F(n+1)² = (-1)^(n+1)
+  for (bool is_clockwise = false; second < 0x1p52; is_clockwise = !is_clockwise) {
+    const double third = first + second;
+    const Mesh mesh{{{0, 0}, {first, second}, {second, third}}, {{0, 1, 2}}};
+    EXPECT_EQ(objections_to(mesh),
+              is_clockwise ? Sentences{"triangle 0 is clockwise"} : Sentences{})
+        << first;
+    first = second;
+    second = third;
+  }
+}
+
 TEST(Judge, SeesWhatIsNoMesh) {
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0.5}};
   const auto first = [&](std::vector<Triangle> triangles) {
@@ -79,6 +92,10 @@ TEST(Judge, ReadsTrianglesOfAnObjFile) {
   const Mesh mesh = read_obj(text);
   EXPECT_EQ(mesh.points, (std::vector<Point>{{0, 0}, {1e-3, 0}, {0, 1}}));
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  std::istringstream smallest("v 5e-324 -1.5\r\n");
+  EXPECT_EQ(read_obj(smallest).points, (std::vector<Point>{{5e-324, -1.5}}));
+  std::istringstream word("v 0 none\n");
+  EXPECT_THROW(read_obj(word), std::runtime_error);
   std::istringstream quad("v 0 0\nv 1 0\nv 1 1\nv 0 1\nf 1 2 3 4\n");
   EXPECT_THROW(read_obj(quad), std::runtime_error);
 }
