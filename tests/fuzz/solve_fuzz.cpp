@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small meshes under every method, with targets that change and cancels on the way: every mesh that
-// is published is as it says, to the judge.
+// is published is as it says, to the judge. At the end it says how many they were.
+#include <map>
 #include <stop_token>
 
 #include "core/energy/densities.h"
@@ -67,6 +68,17 @@ Problem problem_of(Input& input) {
   return problem;
 }
 
+/// Of meshes that were judged, by method.
+class Count : public std::map<std::string, long> {
+ public:
+  ~Count() {
+    for (const auto& [method, meshes] : *this)
+      std::cerr << method << ": " << meshes << " meshes judged\n";
+  }
+};
+
+Count judged_meshes;
+
 void judge_snapshot(const Snapshot& snapshot, const MethodRow& method) {
   fuzz::expect_judged_injective(*snapshot.triangles, *snapshot.rest);
   const bool is_clean = snapshot.is_valid() && snapshot.overlapping_boundary_vertices == 0;
@@ -74,6 +86,7 @@ void judge_snapshot(const Snapshot& snapshot, const MethodRow& method) {
       judge::objections_to(fuzz::judged(*snapshot.triangles, snapshot.deformed)).empty();
   fuzz::expect(is_clean == is_injective, "a snapshot says what it is");
   fuzz::expect(is_injective || method.may_fold || method.may_overlap, "the method keeps its word");
+  ++judged_meshes[std::string(method.name)];
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A second opinion on whether a mesh is locally injective. It shares no code with the program,
-// neither predicates nor readers. All it decides it decides with rationals.
+// neither predicates nor readers. What doubles, with a bound on how far they may be off, leave open
+// it decides with rationals.
 #pragma once
 
 #include <array>

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <sstream>
@@ -58,6 +59,16 @@ TEST(Judge, DecidesAreasExactly) {
   EXPECT_EQ(objections_to(mesh), Sentences{"triangle 0 is clockwise"});
 }
 
+TEST(Judge, DecidesNextToADiagonalWhereDoublesAreWrong) {
+  for (int i = 0; i < 64; ++i)
+    for (int j = 0; j < 64; ++j) {
+      const Mesh mesh{{{0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53}, {12, 12}, {24, 24}}, {{0, 1, 2}}};
+      EXPECT_EQ(objections_to(mesh), i < j    ? Sentences{}
+                                     : i == j ? Sentences{"triangle 0 has no area"}
+                                              : Sentences{"triangle 0 is clockwise"});
+    }
+}
+
 TEST(Judge, SeesWhatIsNoMesh) {
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 0.5}};
   const auto first = [&](std::vector<Triangle> triangles) {
@@ -79,6 +90,10 @@ TEST(Judge, ReadsTrianglesOfAnObjFile) {
   const Mesh mesh = read_obj(text);
   EXPECT_EQ(mesh.points, (std::vector<Point>{{0, 0}, {1e-3, 0}, {0, 1}}));
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
+  std::istringstream smallest("v 5e-324 -1.5\r\n");
+  EXPECT_EQ(read_obj(smallest).points, (std::vector<Point>{{5e-324, -1.5}}));
+  std::istringstream word("v 0 none\n");
+  EXPECT_THROW(read_obj(word), std::runtime_error);
   std::istringstream quad("v 0 0\nv 1 0\nv 1 1\nv 0 1\nf 1 2 3 4\n");
   EXPECT_THROW(read_obj(quad), std::runtime_error);
 }
