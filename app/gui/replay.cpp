@@ -10,6 +10,7 @@
 #include "app/gui/ui.h"
 #include "core/error.h"
 #include "render/offscreen.h"
+#include "render/render_target.h"
 
 namespace foldless {
 namespace {
@@ -44,13 +45,17 @@ class Player {
     if (const auto* window = std::get_if<SessionWindow>(&entry.event)) resize(*window);
     rest();
     if (const auto* shot = std::get_if<Shot>(&entry.event)) {
-      save_png(shots_ / (shot->name + ".png"), offscreen_.read());
+      save_png(shots_ / (shot->name + ".png"), picture());
       ++written_;
     }
   }
 
   void set_theme(Theme theme) { ui_.settings().theme = theme; }
-  Image picture() { return offscreen_.read(); }
+  Image picture() {
+    offscreen_.bind();
+    ui_.draw_again();
+    return offscreen_.read();
+  }
 
   int written() const { return written_; }
   bool has_ended() const { return ui_.wants_to_quit(); }
@@ -63,8 +68,8 @@ class Player {
 
   void frame() {
     time_ += kFrameSeconds;
-    offscreen_.bind();
-    ui_.frame(editor_, {window_.framebuffer, window_.window, window_.content_scale, time_});
+    unseen_.bind();
+    ui_.frame(editor_, {window_.framebuffer, window_.window, window_.content_scale, time_, true});
   }
 
   /// Frames until nothing happens without an event.
@@ -89,6 +94,8 @@ class Player {
 
   SessionWindow window_;
   Offscreen offscreen_;
+  /// What frames are drawn into that are not looked at: their pixels would take most of the time.
+  RenderTarget unseen_{1, 1, 1};
   Editor editor_;
   Ui ui_;
   std::filesystem::path shots_;

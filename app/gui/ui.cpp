@@ -193,6 +193,11 @@ bool Ui::draw_frame(Editor& editor, const FrameSpec& spec) {
   return true;
 }
 
+void Ui::draw_again() {
+  parts_->scenes.draw();
+  parts_->ui_renderer.draw(*ImGui::GetDrawData());
+}
+
 void Ui::prepare(const Editor& editor, const FrameSpec& spec) {
   Parts& p = *parts_;
   p.follow_appearance(editor, spec.content_scale);
@@ -276,7 +281,6 @@ std::optional<double> Ui::next_frame(const Editor& editor, double now) const {
 }
 
 bool Ui::is_exporting() const { return parts_->exports.is_busy(); }
-
 bool Ui::is_writing_a_file() const { return parts_->exports.file.is_busy(); }
 
 const Layout& Ui::layout() const { return parts_->layout; }

@@ -51,6 +51,8 @@ class Ui {
   /// Handles what was received, updates the editor, and draws both. Returns whether it drew: not
   /// where the framebuffer keeps a picture that would be the same.
   bool frame(Editor& editor, const FrameSpec& spec);
+  /// Draws what was drawn last once more, into what is bound now.
+  void draw_again();
   /// Seconds until another frame is due though nothing happens; nothing: only when something does.
   std::optional<double> next_frame(const Editor& editor, double now) const;
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstring>
 #include <thread>
+#include <utility>
 
 #include "app/gui/replay.h"
 #include "app/gui/session_file.h"
@@ -31,10 +32,12 @@ HeadlessEditor::HeadlessEditor(Extent size, UiOptions options, EditorOptions edi
 
 void HeadlessEditor::frame() {
   time_ += kFrameSeconds;
-  offscreen_.bind();
+  unseen_.bind();
   const Extent window{static_cast<int>(static_cast<float>(size_.width) / content_scale_),
                       static_cast<int>(static_cast<float>(size_.height) / content_scale_)};
-  if (ui_.frame(editor_, {size_, window, content_scale_, time_, true})) ++drawn_frames_;
+  if (!ui_.frame(editor_, {size_, window, content_scale_, time_, true})) return;
+  ++drawn_frames_;
+  is_picture_drawn_ = false;
 }
 
 void HeadlessEditor::settle() {
@@ -155,7 +158,11 @@ Vec2 HeadlessEditor::window_point(const Vec2& world) const {
 
 Vec2 HeadlessEditor::position(int vertex) const { return editor_.shown()->deformed.col(vertex); }
 
-Image HeadlessEditor::picture() { return offscreen_.read(); }
+Image HeadlessEditor::picture() {
+  offscreen_.bind();
+  if (!std::exchange(is_picture_drawn_, true)) ui_.draw_again();
+  return offscreen_.read();
+}
 
 Image HeadlessEditor::canvas_picture() {
   const Image whole = picture();

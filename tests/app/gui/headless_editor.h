@@ -12,6 +12,7 @@
 #include "app/gui/ui.h"
 #include "render/image.h"
 #include "render/offscreen.h"
+#include "render/render_target.h"
 #include "tests/support/patience.h"
 
 namespace foldless::test {
@@ -78,6 +79,9 @@ class HeadlessEditor {
 
   Extent size_;
   Offscreen offscreen_;
+  /// What frames are drawn into that are not looked at: their pixels would take most of the time.
+  RenderTarget unseen_{1, 1, 1};
+  bool is_picture_drawn_ = false;
   Editor editor_;
   Ui ui_;
   float content_scale_ = 1;
