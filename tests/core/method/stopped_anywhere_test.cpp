@@ -34,7 +34,7 @@ TEST(StoppedAnywhere, ARunGoesOnAsIfItHadNotBeenStopped) {
     int stopped = 0;
     for (int step = 0; step < 40 && !method->outcome(); ++step) {
       const bool has_record =
-          step_that_is_stopped_after(std::chrono::microseconds(random() % 3000), *method) ||
+          step_that_is_stopped_after(std::chrono::microseconds(random() % 300), *method) ||
           method->outcome();
       stopped += !has_record;
       if (!has_record && !method->step({})) {
