@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -114,8 +113,7 @@ class Animate {
     start_ = std::chrono::steady_clock::now();
     const AnimationMeans means{
         [&](const Snapshot& snapshot) { return std::optional(renderer.render(snapshot, figure)); },
-        [&](std::size_t done, std::size_t count) { show("drawn", done, count); },
-        [&] { nothing_to_keep_.reset(); }};
+        [&](std::size_t done, std::size_t count) { show("drawn", done, count); }};
     if (!write_pictures(animation_, means, token_)) return kExitInterrupted;
     if (!call_.quiet) print_frames();
     return is_reached() ? kExitDone : kExitNotSatisfied;
@@ -125,8 +123,7 @@ class Animate {
     if (animation_.format.kind != AnimationFormat::Kind::foldless) read_scene_texture();
     start_ = std::chrono::steady_clock::now();
     const auto written = write_bake(
-        animation_, frames_,
-        {[&](double share) { show_bake(share); }, [&] { nothing_to_keep_.reset(); }}, token_);
+        animation_, frames_, [&](double share) { show_bake(share); }, token_);
     if (!written) return kExitInterrupted;
     if (!call_.quiet) {
       print_frames();
@@ -175,9 +172,6 @@ class Animate {
   }
 
   const AnimateCall& call_;
-  /// Until something of it is on the disk a signal ends the program at once, and not after the
-  /// picture that is being drawn, of which there may be millions of pixels.
-  std::optional<EndAtOnce> nothing_to_keep_{kExitInterrupted};
   std::shared_ptr<const Scene> scene_;
   Frames frames_;
   std::stop_token token_;

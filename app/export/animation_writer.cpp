@@ -25,9 +25,8 @@ Camera camera_for(const FramesBox& box, const std::optional<PictureSize>& size) 
 
 /// Of several pictures, evenly spaced. False when nothing was drawn.
 bool show_samples(const std::vector<SolvedFrame>& solved, const AnimationMeans& means,
-                  FilmOutput& output, const std::stop_token& token) {
+                  FilmOutput& output) {
   for (std::size_t i = 0; i < solved.size(); i += solved.size() / kSamples + 1) {
-    if (token.stop_requested()) return false;
     const auto picture = means.draw(*solved[i].snapshot);
     if (!picture) return false;
     output.sample(*picture);
@@ -85,11 +84,9 @@ void keep_range(AnimationToWrite& animation, const std::array<int, 2>& range) {
 bool write_pictures(const AnimationToWrite& animation, const AnimationMeans& means,
                     const std::stop_token& token) {
   const std::vector<SolvedFrame>& solved = animation.solved;
-  const auto output = film_output(
-      animation.output,
-      {animation.fps, animation.loops, solved.size(), animation.texts, animation.power_of_two},
-      means.begins_to_write);
-  if (output->wants_samples() && !show_samples(solved, means, *output, token)) return false;
+  const auto output = film_output(animation.output, {animation.fps, animation.loops, solved.size(),
+                                                     animation.texts, animation.power_of_two});
+  if (output->wants_samples() && !show_samples(solved, means, *output)) return false;
   for (std::size_t i = 0; i < solved.size(); ++i) {
     if (token.stop_requested()) return false;
     const auto picture = means.draw(*solved[i].snapshot);
@@ -103,11 +100,11 @@ bool write_pictures(const AnimationToWrite& animation, const AnimationMeans& mea
 }
 
 std::optional<WrittenBake> write_bake(const AnimationToWrite& animation, const Frames& frames,
-                                      const BakeMeans& means, const std::stop_token& token) {
+                                      const BakeProgress& progress, const std::stop_token& token) {
   const double pixel = length_of_a_pixel(box_round(animation.solved), animation.size);
   auto baked = bake_solved(frames,
                            {animation.scene->triangles, animation.solved, animation.loops,
-                            animation.tolerance * pixel, means.progress},
+                            animation.tolerance * pixel, progress},
                            token);
   if (!baked || token.stop_requested()) return std::nullopt;
   BakedLook look;
@@ -117,7 +114,6 @@ std::optional<WrittenBake> write_bake(const AnimationToWrite& animation, const F
   BakedFiles files = baked_files(animation.output, animation.format, *baked, look);
   for (const NamedBytes& other : files.others)
     expect_no_source(animation, animation.output.parent_path() / other.name);
-  means.begins_to_write();
   write_baked(animation.output, files);
   WrittenBake written;
   written.failures = std::move(files.failures);

@@ -40,18 +40,11 @@ struct AnimationToWrite {
 /// What pictures of it show.
 FigureOptions figure_of(const AnimationToWrite& animation);
 
-/// What a picture is drawn with, and who is told how far it is, and that from now on there may be
-/// something on the disk: may be called on any thread, and draw nothing, which ends the writing.
+/// What a picture is drawn with, and who is told how far it is: may be called on any thread, and
+/// draw nothing, which ends the writing.
 struct AnimationMeans {
   std::function<std::optional<Image>(const Snapshot&)> draw;
   std::function<void(std::size_t done, std::size_t count)> progress;
-  std::function<void()> begins_to_write = [] {};
-};
-
-/// Who is told the same of a bake.
-struct BakeMeans {
-  BakeProgress progress;
-  std::function<void()> begins_to_write = [] {};
 };
 
 /// Throws Error where the file would take the place of what it is made of: the scene file, its mesh
@@ -80,6 +73,6 @@ struct WrittenBake {
 /// Bakes an animation and writes it. Nothing when the token was set; then nothing was written.
 /// Throws Error. Precondition: the format is a baked one.
 std::optional<WrittenBake> write_bake(const AnimationToWrite& animation, const Frames& frames,
-                                      const BakeMeans& means, const std::stop_token& token);
+                                      const BakeProgress& progress, const std::stop_token& token);
 
 }  // namespace foldless

@@ -30,25 +30,20 @@ fs::path checked(fs::path path) {
 
 class FilmFile : public FilmOutput {
  public:
-  FilmFile(fs::path path, std::unique_ptr<Film> film, std::function<void()> begins_to_write)
-      : path_(checked(std::move(path))),
-        film_(std::move(film)),
-        begins_to_write_(std::move(begins_to_write)) {}
+  FilmFile(fs::path path, std::unique_ptr<Film> film)
+      : path_(checked(std::move(path))), film_(std::move(film)) {}
 
   bool wants_samples() const override { return film_->wants_samples(); }
   void sample(const Image& image) override { film_->sample(image); }
   void add(const Image& image) override { film_->add(image); }
   void finish() override {
-    const std::string bytes = film_->finish();
-    begins_to_write_();
     remove_leftovers(path_);
-    write_file_atomically(path_, bytes);
+    write_file_atomically(path_, film_->finish());
   }
 
  private:
   fs::path path_;
   std::unique_ptr<Film> film_;
-  std::function<void()> begins_to_write_;
 };
 
 std::unique_ptr<Film> film(std::string_view ending, const FilmOptions& options) {
@@ -91,25 +86,19 @@ class PictureFolder : public FilmOutput {
 /// Two files: NAME.json and the picture NAME.png that it speaks of.
 class SheetFiles : public FilmOutput {
  public:
-  SheetFiles(fs::path path, const FilmOptions& options, std::function<void()> begins_to_write)
-      : path_(checked(std::move(path))),
-        options_(options),
-        begins_to_write_(std::move(begins_to_write)),
-        sprites_(options.fps) {}
+  SheetFiles(fs::path path, const FilmOptions& options)
+      : path_(checked(std::move(path))), options_(options), sprites_(options.fps) {}
 
   void add(const Image& image) override { sprites_.add(image); }
   void finish() override {
     const std::string picture = picture_of_sheet(path_).filename();
-    const std::string places = sprites_.json(options_.power_of_two, picture);
-    const std::string pixels = sprites_.png(options_.power_of_two, options_.texts);
-    begins_to_write_();
-    write_files_together(path_, places, {{picture, pixels}});
+    write_files_together(path_, sprites_.json(options_.power_of_two, picture),
+                         {{picture, sprites_.png(options_.power_of_two, options_.texts)}});
   }
 
  private:
   fs::path path_;
   FilmOptions options_;
-  std::function<void()> begins_to_write_;
   SpriteSheet sprites_;
 };
 
@@ -117,16 +106,13 @@ class SheetFiles : public FilmOutput {
 
 fs::path picture_of_sheet(const fs::path& path) { return fs::path(path).replace_extension(".png"); }
 
-std::unique_ptr<FilmOutput> film_output(const fs::path& path, const FilmOptions& options,
-                                        const std::function<void()>& begins_to_write) {
+std::unique_ptr<FilmOutput> film_output(const fs::path& path, const FilmOptions& options) {
   using Kind = AnimationFormat::Kind;
   const AnimationFormat* const format = find_animation_format(path);
-  if (format && format->kind == Kind::sheet)
-    return std::make_unique<SheetFiles>(path, options, begins_to_write);
-  if (format && format->kind == Kind::film)
-    return std::make_unique<FilmFile>(path, film(format->ending, options), begins_to_write);
-  begins_to_write();
+  if (format && format->kind == Kind::sheet) return std::make_unique<SheetFiles>(path, options);
   if (format && format->kind == Kind::video) return video_file(checked(path), options);
+  if (format && format->kind == Kind::film)
+    return std::make_unique<FilmFile>(path, film(format->ending, options));
   return std::make_unique<PictureFolder>(path, options.texts);
 }
 

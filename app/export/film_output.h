@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 
 #include "app/export/film.h"
@@ -26,12 +25,10 @@ class FilmOutput {
 };
 
 /// By the ending of a name, see animation_formats(). A sprite sheet has its picture beside it; a
-/// folder has 000000.png and so on. `begins_to_write` is called before anything of it is on the
-/// disk, here or later. Throws Error, here or later, where it cannot be written, and for a folder
-/// that has something in it.
+/// folder has 000000.png and so on. Throws Error, here or later, where it cannot be written, and
+/// for a folder that has something in it.
 std::unique_ptr<FilmOutput> film_output(const std::filesystem::path& path,
-                                        const FilmOptions& options,
-                                        const std::function<void()>& begins_to_write);
+                                        const FilmOptions& options);
 
 /// The picture that a sprite sheet speaks of.
 std::filesystem::path picture_of_sheet(const std::filesystem::path& path);

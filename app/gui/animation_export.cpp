@@ -132,7 +132,7 @@ AnimationExport::End AnimationExport::write_job(Job& job) {
   const auto progress = [this](double share) {
     tell(Stage::baking, static_cast<std::size_t>(share * kWholeBake), kWholeBake);
   };
-  const auto written = write_bake(animation, job.frames, {progress}, token);
+  const auto written = write_bake(animation, job.frames, progress, token);
   if (!written) return cancelled;
   if (!written->failures.empty())
     return {ToastKind::error, wrote + ", but it is not proved at every moment: " +

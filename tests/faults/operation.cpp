@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// In the new process: does not return.
-[[noreturn]] void become(std::string program, const std::vector<std::string>& arguments,
-                         const std::string& fault, const fs::path& folder,
-                         const TemporaryFolder& notes) {
+[[noreturn]] void become_program(const std::vector<std::string>& arguments,
+                                 const std::string& fault, const fs::path& folder,
+                                 const TemporaryFolder& notes) {
   if (!fault.empty()) {
     ::setenv("LD_PRELOAD", FOLDLESS_FAULTS_LIBRARY, 1);
     ::setenv("FOLDLESS_FAULT", fault.c_str(), 1);
@@ -36,10 +36,11 @@ namespace {
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
   std::vector<char*> words;
+  std::string program = FOLDLESS_PROGRAM;
   words.push_back(program.data());
   for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  ::execv(program.c_str(), words.data());
+  ::execv(FOLDLESS_PROGRAM, words.data());
   ::_exit(127);
 }
 
@@ -47,14 +48,9 @@ namespace {
 
 Faulted run_with_fault(const std::vector<std::string>& arguments, const std::string& fault,
                        const fs::path& folder) {
-  return run_other_with_fault(FOLDLESS_PROGRAM, arguments, fault, folder);
-}
-
-Faulted run_other_with_fault(const std::string& program, const std::vector<std::string>& arguments,
-                             const std::string& fault, const fs::path& folder) {
   const TemporaryFolder notes;
   const pid_t process = ::fork();
-  if (process == 0) become(program, arguments, fault, folder, notes);
+  if (process == 0) become_program(arguments, fault, folder, notes);
   int ended = 0;
   ::waitpid(process, &ended, 0);
   return {fs::exists(notes / "mark"), WIFEXITED(ended) ? WEXITSTATUS(ended) : -WTERMSIG(ended),
@@ -89,7 +85,7 @@ int FaultCounts::all_last() const {
 void run_and_kill(const std::vector<std::string>& arguments, std::chrono::microseconds time) {
   const TemporaryFolder notes;
   const pid_t process = ::fork();
-  if (process == 0) become(FOLDLESS_PROGRAM, arguments, "", {}, notes);
+  if (process == 0) become_program(arguments, "", {}, notes);
   std::this_thread::sleep_for(time);
   ::kill(process, SIGKILL);
   ::waitpid(process, nullptr, 0);

@@ -21,10 +21,6 @@ struct Faulted {
 Faulted run_with_fault(const std::vector<std::string>& arguments, const std::string& fault,
                        const std::filesystem::path& folder);
 
-/// The same of another program, where the faults count from its first call of signal() on.
-Faulted run_other_with_fault(const std::string& program, const std::vector<std::string>& arguments,
-                             const std::string& fault, const std::filesystem::path& folder);
-
 /// Whether FOLDLESS_FAULTS=all asks for every fault that there is, which takes hours.
 bool wants_all_faults();
 /// The allocation that fails after the n-th: there are hundred thousands.

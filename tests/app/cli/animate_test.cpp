@@ -248,7 +248,7 @@ TEST(AnimateCall, SaysWhatIsWrongAndWritesNothing) {
 }
 
 TEST(AnimateCall, InterruptedLeavesNothing) {
-  for (const char* name : {"a", "a.webp", "a.gif", "a.json", "a.glb"}) {
+  for (const char* name : {"a", "a.webp"}) {
     const TemporaryFolder folder;
     const Ended ended = test::interrupt(
         {"animate", sample("turn_360"), "-o", folder / name, "--size", "1000x1000"}, SIGINT,
