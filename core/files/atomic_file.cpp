@@ -101,17 +101,34 @@ fs::path temporary_name(const fs::path& file, int number) {
 Descriptor make_beside(const fs::path& file, fs::path& temporary) {
   int tried = 0;
   for (;;) {
-    temporary = temporary_name(file, tried);
-    Descriptor made(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (!made.is_open() && errno != EEXIST) break;
-    if (!made.is_open() && !remove_left_over(temporary)) ++tried;
-    if (!made.is_open() || !lock_new(made.number(), temporary)) continue;
-    while (remove_left_over(temporary_name(file, tried + 1))) ++tried;
-    return made;
+    fs::path name = temporary_name(file, tried);
+    Descriptor made(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!made.is_open() && errno != EEXIST) return made;
+    if (!made.is_open()) {
+      if (!remove_left_over(name)) ++tried;
+      continue;
+    }
+    temporary.swap(name);
+    if (lock_new(made.number(), temporary)) {
+      while (remove_left_over(temporary_name(file, tried + 1))) ++tried;
+      return made;
+    }
+    temporary.clear();
   }
-  temporary.clear();
-  return Descriptor(-1);
 }
+
+/// The name of a file that is removed where it has not got another one, also where memory runs
+/// short on the way.
+struct Temporary {
+  Temporary() = default;
+  ~Temporary() {
+    if (!name.empty()) ::unlink(name.c_str());
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  fs::path name;
+};
 
 int keep_permissions(const fs::path& file, int descriptor) {
   struct stat status {};
@@ -210,14 +227,12 @@ void write_file_atomically(const fs::path& file, Parts parts) {
   const fs::path resolved = fs::weakly_canonical(file, ignored);
   const fs::path target = ignored ? file : resolved;
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  fs::path temporary;
   std::optional<Descriptor> lock;
-  int error = write_beside(target, parts, temporary, lock);
-  if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) {
-    if (!temporary.empty()) ::unlink(temporary.c_str());
-    refuse_writing(file, error);
-  }
+  Temporary temporary;
+  int error = write_beside(target, parts, temporary.name, lock);
+  if (error == 0 && ::rename(temporary.name.c_str(), target.c_str()) != 0) error = errno;
+  if (error != 0) refuse_writing(file, error);
+  temporary.name.clear();
   sync_folder(folder);
 }
 
