@@ -52,6 +52,7 @@ bool Scenes::follow(Editor& editor, const Layout& layout, Extent framebuffer, bo
   Sight sight = sight_of(editor, layout, framebuffer, has_squares);
   const bool has_more_texture = canvas_.upload_texture(kPixelsOfAFrame);
   const bool differs = has_new_texture || has_more_texture || sight != sight_;
+  // Else what is drawn again would not be what was drawn last, were a difference overlooked.
   if (differs) sight_ = std::move(sight);
   if (editor.race().is_open()) add_lanes(editor.race().lanes().size());
   return differs;

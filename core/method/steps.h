@@ -27,21 +27,31 @@ namespace foldless {
 template <typename T = void>
 class Steps;
 
-/// An update that a coroutine waits for.
-class UpdateRequest {
- public:
-  /// Makes the update; false when it was cancelled, which changed nothing.
-  virtual bool make(const std::stop_token& token) = 0;
-
- protected:
-  ~UpdateRequest() = default;
-};
+class UpdateRequest;
 
 /// What the coroutines of one method share.
 struct StepContext {
   UpdateRequest* request = nullptr;  ///< that the innermost coroutine waits for
   std::coroutine_handle<> waiting;   ///< that coroutine
   std::optional<Iteration> record;   ///< of the update that was made last
+};
+
+/// An update that a coroutine waits for.
+class UpdateRequest {
+ public:
+  /// Makes the update; false when it was cancelled, which changed nothing.
+  virtual bool make(const std::stop_token& token) = 0;
+
+  bool await_ready() const noexcept { return false; }
+  template <typename Promise>
+  void await_suspend(std::coroutine_handle<Promise> waiting) noexcept {
+    StepContext& context = *waiting.promise().context;
+    context.request = this;
+    context.waiting = waiting;
+  }
+
+ protected:
+  ~UpdateRequest() = default;
 };
 
 inline bool is_cancelled(const VertexUpdate& update) { return update.cancelled; }
@@ -62,13 +72,6 @@ class VertexUpdateRequest final : public UpdateRequest {
     return !is_cancelled(*update_);
   }
 
-  bool await_ready() const noexcept { return false; }
-  template <typename Promise>
-  void await_suspend(std::coroutine_handle<Promise> waiting) noexcept {
-    StepContext& context = *waiting.promise().context;
-    context.request = this;
-    context.waiting = waiting;
-  }
   Update await_resume() { return *std::move(update_); }
 
  private:
@@ -88,14 +91,6 @@ VertexUpdateRequest<Make> vertex_update(Make& make) {
 class Pause final : public UpdateRequest {
  public:
   bool make(const std::stop_token& token) override { return !token.stop_requested(); }
-
-  bool await_ready() const noexcept { return false; }
-  template <typename Promise>
-  void await_suspend(std::coroutine_handle<Promise> waiting) noexcept {
-    StepContext& context = *waiting.promise().context;
-    context.request = this;
-    context.waiting = waiting;
-  }
   void await_resume() const noexcept {}
 };
 

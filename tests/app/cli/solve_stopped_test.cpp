@@ -105,8 +105,7 @@ TEST(Solve, EndsWithOneWhenTheTimeIsOver) {
   const json report = json::parse(read_text(folder / "out/report.json"));
   EXPECT_EQ(report["outcome"], "time-limit");
   EXPECT_GT(report["seconds"]["total"].get<double>(), 0.3);
-  EXPECT_LT(report["seconds"]["total"].get<double>(), 20)
-      << "of processor time; minutes without it";
+  EXPECT_LT(report["seconds"]["total"].get<double>(), 2) << "processor time, whatever else runs";
 }
 
 TEST(Solve, ATimeLimitThatIsNotReachedChangesNothing) {
