@@ -15,7 +15,7 @@
 #include "core/error.h"
 #include "core/scene/json_object.h"
 #include "core/scene/json_value.h"
-#include "core/scene/parameter_keys.h"
+#include "core/scene/parameter_value.h"
 
 namespace foldless {
 namespace {
@@ -67,16 +67,8 @@ constexpr std::array kRealFields{
 Parameters read_parameters(const JsonValue& value, const std::string& method) {
   Parameters parameters;
   parameters.method = method;
-  for (const ParameterKey& key : parameter_keys()) {
-    const JsonValue given = value.at(key.name);
-    if (key.kind == ParameterKind::word) {
-      const auto index = index_of_word(key, given.text());
-      if (!index) given.refuse("is " + given.shown() + ", which is unknown");
-      key.set(parameters, *index);
-    } else {
-      key.set(parameters, key.kind == ParameterKind::flag ? given.boolean() : given.number());
-    }
-  }
+  for (const ParameterKey& key : parameter_keys())
+    key.set(parameters, parameter_value(key, value.at(key.name)));
   return parameters;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <system_error>
 
 #include "core/error.h"
@@ -21,6 +22,8 @@ constexpr std::array kNames{"rest.obj",    "deformed.obj",   "deformed.png",
                             "report.json", "iterations.csv", kManifest};
 constexpr std::string_view kInFrames = "frames/";
 constexpr double kVersion = 1;
+/// 2⁵³: a number of JSON above it may stand for another.
+constexpr double kLargestWhole = 9007199254740992;
 
 std::string hexadecimal(std::uint32_t number) {
   std::string text(8, '0');
@@ -38,12 +41,19 @@ std::uint32_t crc_in(const JsonValue& value) {
   return crc;
 }
 
+std::uintmax_t size_in(const JsonValue& value) {
+  const double bytes = value.number();
+  if (!(bytes >= 0 && bytes <= kLargestWhole && std::trunc(bytes) == bytes))
+    value.refuse("is " + value.shown() + ", but must be a number of bytes");
+  return static_cast<std::uintmax_t>(bytes);
+}
+
 /// A name from elsewhere would let a manifest point out of its folder.
 ResultFile read_entry(const JsonValue& value) {
   ResultFile entry;
   entry.name = value.at("name").text();
   if (!is_result_name(entry.name)) value.at("name").refuse("is no file that solve writes");
-  entry.bytes = static_cast<std::uintmax_t>(std::max(0.0, value.at("bytes").number()));
+  entry.bytes = size_in(value.at("bytes"));
   entry.crc = crc_in(value.at("crc32"));
   return entry;
 }

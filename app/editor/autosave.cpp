@@ -31,18 +31,18 @@ void Autosave::begin(UnsavedWork work) {
   due_.reset();
   const std::uint64_t generation = generation_;
   job_.start([this, generation, work = std::move(work)](const std::stop_token&) {
-    write(work, generation);
+    report(write(work, generation));
     if (wake_) wake_();
   });
 }
 
-void Autosave::write_now(const UnsavedWork& work) {
-  if (!root_.empty()) write(work, generation_);
+std::string Autosave::write_now(const UnsavedWork& work) {
+  return root_.empty() ? std::string() : write(work, generation_);
 }
 
-void Autosave::write(const UnsavedWork& work, std::uint64_t generation) {
+std::string Autosave::write(const UnsavedWork& work, std::uint64_t generation) {
   const std::lock_guard lock(folder_mutex_);
-  if (generation != generation_) return;
+  if (generation != generation_) return {};
   try {
     if (!folder_) folder_ = AutosaveFolder::create(root_);
     if (origin_ != work.origin) folder_->set_origin(work.origin);
@@ -50,9 +50,9 @@ void Autosave::write(const UnsavedWork& work, std::uint64_t generation) {
     const std::filesystem::path file = folder_->next_copy();
     save_scene(scene_of(work.document, file, work.view), file);
     folder_->trim();
-    report({});
+    return {};
   } catch (const std::exception& failure) {
-    report(words_of_exception(failure, root_));
+    return words_of_exception(failure, root_);
   }
 }
 

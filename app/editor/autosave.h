@@ -45,8 +45,9 @@ class Autosave {
   std::optional<double> next_wake() const { return due_; }
   /// Begins to write a copy.
   void begin(UnsavedWork work);
-  /// Writes one before it returns. Never throws.
-  void write_now(const UnsavedWork& work);
+  /// Writes one before it returns. Returns why that cannot be done, empty when it can. Never
+  /// throws.
+  std::string write_now(const UnsavedWork& work);
   /// The work is saved, or is not wanted: removes its copies, after one that is being written.
   void forget();
   /// Goes on in a folder with copies of the present work.
@@ -62,7 +63,8 @@ class Autosave {
     std::uint64_t step = 0;
   };
 
-  void write(const UnsavedWork& work, std::uint64_t generation);
+  /// Returns why it cannot.
+  std::string write(const UnsavedWork& work, std::uint64_t generation);
   void report(std::string problem);
 
   std::filesystem::path root_;

@@ -50,13 +50,24 @@ fs::path copy_named(int number) {
   return name.data();
 }
 
-/// An open lock file that is locked by us; -1 where it is not there or another has it.
+/// An open lock file that is locked by us; -1 and errno where it cannot be.
 int locked(const fs::path& file, int flags) {
   const int descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
   if (descriptor < 0) return -1;
   if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  const int error = errno;
   close(descriptor);
+  errno = error;
   return -1;
+}
+
+/// Those of the names that are of copies, newest first.
+std::vector<fs::path> copies_among(const std::vector<std::string>& names, const fs::path& folder) {
+  std::vector<fs::path> copies;
+  for (const std::string& name : names)
+    if (number_of(name)) copies.push_back(folder / name);
+  std::ranges::sort(copies, std::greater{}, number_of);
+  return copies;
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::string& reason) {
@@ -72,21 +83,25 @@ AutosaveFolder AutosaveFolder::create(const fs::path& root) {
   // Not seen by find_lost_work() before it is locked.
   std::string hidden = (root / ".new-XXXXXX").string();
   if (!mkdtemp(hidden.data())) fail(root, std::strerror(errno));
-  const int lock = locked(fs::path(hidden) / kLock, O_CREAT);
+  AutosaveFolder folder(hidden, locked(fs::path(hidden) / kLock, O_CREAT));
+  int failure = folder.lock_ < 0 ? errno : 0;
   const fs::path path = root / fs::path(hidden).filename().string().substr(5);
-  fs::rename(hidden, path, error);
-  if (lock >= 0 && !error) return {path, lock};
-  const std::string reason = error ? error.message() : std::strerror(errno);
-  std::error_code ignored;
-  if (lock >= 0) close(lock);
-  fs::remove_all(hidden, ignored);
-  fail(root, reason);
+  if (failure == 0 && ::rename(hidden.c_str(), path.c_str()) != 0) failure = errno;
+  if (failure != 0) {
+    folder.remove();
+    fail(root, std::strerror(failure));
+  }
+  sync_folder(root);
+  folder.path_ = path;
+  return folder;
 }
 
 std::optional<AutosaveFolder> AutosaveFolder::take(const fs::path& folder) {
   const int lock = locked(folder / kLock, 0);
-  if (lock < 0) return std::nullopt;
-  return AutosaveFolder(folder, lock);
+  if (lock >= 0) return AutosaveFolder(folder, lock);
+  if (errno == EWOULDBLOCK || errno == ENOENT || errno == ENOTDIR || errno == ELOOP)
+    return std::nullopt;
+  throw Error(folder.string() + ": cannot be looked into: " + std::strerror(errno));
 }
 
 AutosaveFolder::AutosaveFolder(AutosaveFolder&& other) noexcept
@@ -107,7 +122,7 @@ void AutosaveFolder::release() {
 }
 
 Origin AutosaveFolder::origin() const {
-  const auto json = nlohmann::json::parse(read_small_file(path_ / kOrigin), nullptr, false);
+  const auto json = nlohmann::json::parse(small_file(path_ / kOrigin), nullptr, false);
   const auto text_of = [&](const char* key) -> std::string {
     if (!json.is_object() || !json.contains(key) || !json[key].is_string()) return {};
     return json[key].get<std::string>();
@@ -116,11 +131,7 @@ Origin AutosaveFolder::origin() const {
 }
 
 std::vector<fs::path> AutosaveFolder::copies() const {
-  std::vector<fs::path> copies;
-  for (const std::string& name : names_in_folder(path_))
-    if (number_of(name)) copies.push_back(path_ / name);
-  std::ranges::sort(copies, std::greater{}, number_of);
-  return copies;
+  return copies_among(all_names_in_folder(path_), path_);
 }
 
 fs::path AutosaveFolder::next_copy() const {
@@ -136,37 +147,55 @@ void AutosaveFolder::set_origin(const Origin& origin) {
 }
 
 void AutosaveFolder::trim() {
-  const std::vector<fs::path> there = copies();
+  const std::vector<fs::path> there = copies_among(names_in_folder(path_), path_);
   std::error_code ignored;
   for (std::size_t i = kCopies; i < there.size(); ++i) fs::remove(there[i], ignored);
 }
 
+// Where the program is ended on the way, or a copy cannot be removed, the newest is left, for it is
+// what the next start offers.
 void AutosaveFolder::remove() {
+  const std::vector<std::string> names = names_in_folder(path_);
+  const std::vector<fs::path> copies = copies_among(names, path_);
   std::error_code ignored;
-  for (const std::string& name : names_in_folder(path_))
-    if (is_ours(name)) fs::remove(path_ / name, ignored);
+  for (std::size_t i = copies.size(); i-- > 0;) {
+    fs::remove(copies[i], ignored);
+    if (ignored) return release();
+  }
+  for (const std::string& name : names)
+    if (is_ours(name) && name != kLock) fs::remove(path_ / name, ignored);
+  fs::remove(path_ / kLock, ignored);
   fs::remove(path_, ignored);
   release();
 }
 
-std::vector<AutosaveFolder> find_lost_work(const fs::path& root) {
+LostWork find_lost_work(const fs::path& root) {
+  LostWork lost;
   std::vector<std::pair<fs::file_time_type, AutosaveFolder>> found;
-  for (const std::string& name : names_in_folder(root)) {
-    if (name.starts_with('.')) continue;
-    std::optional<AutosaveFolder> folder = AutosaveFolder::take(root / name);
-    if (!folder) continue;
+  const auto look_at = [&](const fs::path& path) {
+    std::optional<AutosaveFolder> folder = AutosaveFolder::take(path);
+    if (!folder) return;
     const std::vector<fs::path> copies = folder->copies();
     std::error_code ignored;
     if (copies.empty())
       folder->remove();
     else
       found.emplace_back(fs::last_write_time(copies.front(), ignored), std::move(*folder));
-  }
+  };
+  const auto bear = [&](const auto& action) {
+    try {
+      action();
+    } catch (const Error& error) {
+      if (lost.problem.empty()) lost.problem = error.what();
+    }
+  };
+  bear([&] {
+    for (const std::string& name : all_names_in_folder(root))
+      if (!name.starts_with('.')) bear([&] { look_at(root / name); });
+  });
   std::ranges::sort(found, std::greater{}, [](const auto& one) { return one.first; });
-  std::vector<AutosaveFolder> folders;
-  folders.reserve(found.size());
-  for (auto& [time, folder] : found) folders.push_back(std::move(folder));
-  return folders;
+  for (auto& [time, folder] : found) lost.folders.push_back(std::move(folder));
+  return lost;
 }
 
 std::string time_words(fs::file_time_type written) {

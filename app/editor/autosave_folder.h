@@ -22,7 +22,8 @@ class AutosaveFolder {
  public:
   /// Makes one in `root`. Throws Error.
   static AutosaveFolder create(const std::filesystem::path& root);
-  /// Takes one that is there; nothing where another process has it, or it is none.
+  /// Takes one that is there; nothing where another process has it, or it is none. Throws Error
+  /// where that cannot be known.
   static std::optional<AutosaveFolder> take(const std::filesystem::path& folder);
 
   AutosaveFolder(AutosaveFolder&& other) noexcept;
@@ -31,17 +32,19 @@ class AutosaveFolder {
   ~AutosaveFolder();
 
   const std::filesystem::path& path() const { return path_; }
-  /// What the copies are of; empty when that was never written.
+  /// What the copies are of; empty when that was never written. Throws Error where it cannot be
+  /// read.
   Origin origin() const;
-  /// Newest first.
+  /// Newest first. Throws Error where the folder cannot be read.
   std::vector<std::filesystem::path> copies() const;
-  /// Where the next copy is to be written.
+  /// Where the next copy is to be written. Throws Error.
   std::filesystem::path next_copy() const;
   /// Before the first copy of a document. Throws Error.
   void set_origin(const Origin& origin);
   /// Removes all but the newest five.
   void trim();
-  /// Removes the copies and the folder, which stays where something else is in it.
+  /// Removes the copies, the oldest first, and the folder, which stays where something else is in
+  /// it.
   void remove();
 
  private:
@@ -52,9 +55,15 @@ class AutosaveFolder {
   int lock_ = -1;  ///< a file descriptor
 };
 
-/// What ended without being saved in `root` and nobody has: the folders with copies, the newest
-/// first. Folders without copies are removed on the way.
-std::vector<AutosaveFolder> find_lost_work(const std::filesystem::path& root);
+/// What ended without being saved and nobody has.
+struct LostWork {
+  std::vector<AutosaveFolder> folders;  ///< with copies, the newest first
+  std::string problem;  ///< why there may be more; one sentence, empty: there is not
+};
+
+/// Looks for it in `root`. Folders without copies are removed on the way; what cannot be read
+/// stays.
+LostWork find_lost_work(const std::filesystem::path& root);
 
 /// When a copy was written, as "today 14:05", "yesterday 23:10" or "21 Nov 2026, 09:30".
 std::string time_words(std::filesystem::file_time_type written);

@@ -49,8 +49,9 @@ bool is_layer_on(const Editor& e) {
 }
 
 void find_lost_work(Editor& e) {
-  e.files().recovery().find();
-  if (!e.files().recovery().is_open())
+  Recovery& recovery = e.files().recovery();
+  recovery.find();
+  if (!recovery.is_open() && recovery.unseen().empty())
     e.messages().toast(ToastKind::notice, "There is no unsaved work to recover");
 }
 

@@ -169,8 +169,14 @@ void DocumentFiles::install(const Document& document, const std::string& label) 
   recovery_.close();
   if (document.texture.empty() != draft_.document().texture.empty())
     view_.show_mesh(document.texture.empty());
-  draft_.install(document, label);
-  view_.fit_all();
+  try {
+    draft_.install(document, label);
+    view_.fit_all();
+  } catch (...) {
+    // What is there now never replaces the file of what was there.
+    if (draft_.document().original == document.original) file_.leave();
+    throw;
+  }
   file_.leave();
   is_sample_ = asks_to_overwrite_ = false;
   mark_saved();

@@ -91,8 +91,9 @@ class DocumentFiles {
 
   Autosave& autosave() { return autosave_; }
   const Autosave& autosave() const { return autosave_; }
-  /// Writes a copy at once if anything is unsaved; for when the program is about to end.
-  void rescue();
+  /// Writes a copy at once if anything is unsaved; for when the program is about to end. Returns
+  /// why that cannot be done, empty when it can. Never throws.
+  std::string rescue();
   Recovery& recovery() { return recovery_; }
   const Recovery& recovery() const { return recovery_; }
   /// Makes what is looked at the document, which is unsaved then; asks first when the present one

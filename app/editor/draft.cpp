@@ -102,6 +102,10 @@ void Draft::apply(Document document, Change change) {
 
 void Draft::replace(const Document& document) {
   document_ = document;
+  show_document();
+}
+
+void Draft::show_document() {
   targets_moved_ = false;
   taken_ = nullptr;
   folded_ = nullptr;
@@ -172,12 +176,18 @@ void Draft::jump_to_step(std::size_t index) {
   replace(history_.jump(index));
 }
 
-void Draft::install(const Document& document, std::string label) {
+// What takes most memory comes first.
+void Draft::install(Document document, std::string label) {
+  const std::shared_ptr<const Snapshot> pose = document.pose;
+  const Proof proof = pose ? proof_of(*pose) : Proof{};
   history_.reset(std::move(label), document);
+  document_ = std::move(document);
+  proved_ = pose;
+  proof_ = proof;
   last_change_.reset();
   selection_.select_none();
   selection_.hover(std::nullopt);
-  replace(document);
+  show_document();
 }
 
 void Draft::look_at(LookBack iteration) {

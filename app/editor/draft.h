@@ -96,8 +96,9 @@ class Draft {
   void undo();
   void redo();
   void jump_to_step(std::size_t index);  ///< of history().steps()
-  /// Another document, with a history and a selection of its own.
-  void install(const Document& document, std::string label);
+  /// Another document, with a history and a selection of its own. Where memory runs short before
+  /// it is there all stays as it was.
+  void install(Document document, std::string label);
 
   // Earlier iterations.
 
@@ -119,6 +120,7 @@ class Draft {
 
   const std::shared_ptr<const Snapshot>& pose_on_screen() const;
   void take_newest();
+  void show_document();
   void refresh_shown();
 
   Messages& messages_;

@@ -35,8 +35,9 @@ History::History(std::size_t memory_cap) : memory_cap_(memory_cap) {
 }
 
 void History::reset(std::string label, Document document) {
-  steps_.clear();
-  steps_.push_back({next_id_++, std::move(label), std::move(document)});
+  std::vector<HistoryStep> steps;
+  steps.push_back({next_id_++, std::move(label), std::move(document)});
+  steps_ = std::move(steps);
   current_ = 0;
 }
 

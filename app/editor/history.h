@@ -26,7 +26,7 @@ class History {
   /// Steps beyond `memory_cap` bytes are forgotten, oldest first, but never the newest 100.
   explicit History(std::size_t memory_cap = std::size_t{512} << 20);
 
-  /// Starts anew with one step.
+  /// Starts anew with one step. Where memory runs short all stays as it was.
   void reset(std::string label, Document document);
   /// Adds a step after the current one and forgets what was undone.
   void push(std::string label, Document document);

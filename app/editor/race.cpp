@@ -9,7 +9,7 @@ namespace foldless {
 namespace {
 
 /// Space between what is fitted and the border of a lane. [design pixels]
-constexpr double kMargin = 18;
+constexpr double kMarginOfAPane = 18;
 
 }  // namespace
 
@@ -148,7 +148,7 @@ void Race::fit() {
   for (const auto& lane : lanes_)
     for (const auto& p : lane->shown()->deformed.colwise()) extend(p);
   for (const Handle& handle : document_->handles) extend(handle.target);
-  canvas_.camera = fit_to_box(box, canvas_.size(), kMargin * canvas_.ui_scale);
+  canvas_.camera = fit_to_box(box, canvas_.size(), kMarginOfAPane * canvas_.ui_scale);
   is_fitted_ = true;
 }
 

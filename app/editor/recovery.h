@@ -9,6 +9,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/editor/autosave_folder.h"
@@ -22,6 +23,7 @@ namespace foldless {
 struct RecoveredWork {
   Document document;
   std::shared_ptr<const nlohmann::json> view;  ///< null: none
+  std::filesystem::path copy;
 };
 
 /// Offers work that was lost when the program ended without being asked to: what there is, and the
@@ -33,6 +35,9 @@ class Recovery {
 
   /// Looks for lost work; open if there is any.
   void find();
+  /// Why there may be more than was found; one sentence, empty: there is not.
+  const std::string& unseen() const { return unseen_; }
+  std::string take_unseen() { return std::exchange(unseen_, {}); }
   /// Leaves it all where it is.
   void close();
   bool is_open() const { return !lost_.empty(); }
@@ -51,6 +56,9 @@ class Recovery {
   const std::shared_ptr<const RecoveredWork>& work() const { return work_; }
   /// Why not one of its copies can be read; one sentence.
   const std::string& problem() const { return problem_; }
+  /// Why there may be newer work beside it: what cannot be read; one sentence, empty: there is
+  /// none.
+  const std::string& unread() const { return unread_; }
   const TextureImage& texture_image() const { return texture_image_; }
   /// Removes its copies for good.
   void discard();
@@ -60,16 +68,20 @@ class Recovery {
  private:
   struct Lost {
     AutosaveFolder folder;
+    std::vector<std::filesystem::path> copies;
     Origin origin;
     std::string time;
+    std::string unread;  ///< why its origin is not known
   };
   struct News {
     int request = 0;
     std::shared_ptr<const RecoveredWork> work;
     std::string problem;
+    std::string unread;
   };
 
-  void read(int request, const std::vector<std::filesystem::path>& copies, const Origin& origin);
+  static Lost look_into(AutosaveFolder folder);
+  void read(News news, const std::vector<std::filesystem::path>& copies, const Origin& origin);
 
   std::filesystem::path root_;
   std::function<void()> wake_;
@@ -77,7 +89,7 @@ class Recovery {
   std::size_t selected_ = 0;
   int request_ = 0;  ///< news of earlier ones are dropped
   std::shared_ptr<const RecoveredWork> work_;
-  std::string problem_;
+  std::string problem_, unread_, unseen_;
   TextureImage texture_image_;
   std::mutex mutex_;  ///< of what follows
   std::optional<News> news_;

@@ -109,19 +109,27 @@ class Buffers {
 // The format is little-endian, and so is what is copied.
 static_assert(std::endian::native == std::endian::little);
 
-/// What a piece looks like.
-void add_material(json& document, Buffers& buffers, const GltfPiece& piece) {
+/// To a list of the document. (Where memory is short for a list that takes the place of null, the
+/// library ends the program.)
+void add_to(json& document, const char* list, json entry) {
+  if (!document.contains(list)) document[list] = json::array();
+  document[list].push_back(std::move(entry));
+}
+
+/// What a piece looks like: its number is that of its picture, of how that is read, and so on.
+void add_material(json& document, Buffers& buffers, const GltfPiece& piece, std::size_t number) {
   const std::string png = encode_png(piece.image);
-  const auto number = document["materials"].size();
-  document["images"].push_back(
-      {{"bufferView", buffers.add_view(png.data(), png.size(), 0)}, {"mimeType", "image/png"}});
+  add_to(document, "images",
+         {{"bufferView", buffers.add_view(png.data(), png.size(), 0)}, {"mimeType", "image/png"}});
   const int wrap = piece.is_tiled ? kRepeat : kClampToEdge;
-  document["samplers"].push_back({{"magFilter", piece.is_tiled ? kNearest : kLinear},
-                                  {"minFilter", piece.is_tiled ? kNearest : kLinearMipmaps},
-                                  {"wrapS", wrap},
-                                  {"wrapT", wrap}});
-  document["textures"].push_back({{"source", number}, {"sampler", number}});
-  document["materials"].push_back(
+  add_to(document, "samplers",
+         {{"magFilter", piece.is_tiled ? kNearest : kLinear},
+          {"minFilter", piece.is_tiled ? kNearest : kLinearMipmaps},
+          {"wrapS", wrap},
+          {"wrapT", wrap}});
+  add_to(document, "textures", {{"source", number}, {"sampler", number}});
+  add_to(
+      document, "materials",
       {{"pbrMetallicRoughness",
         {{"baseColorTexture", {{"index", number}}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
        {"alphaMode", piece.is_tiled ? "OPAQUE" : "BLEND"},
@@ -199,12 +207,13 @@ std::string gltf_binary(const BakedAnimation& animation, const std::vector<GltfP
     const int positions = buffers.add_floats(in_space(first, piece.z), true, true);
     const int places =
         buffers.add_floats(texture_coordinates(animation.rest, piece.place), true, false);
+    const std::size_t number = primitives.size();
     json primitive{{"attributes", {{"POSITION", positions}, {"TEXCOORD_0", places}}},
                    {"indices", buffers.add_indices(corners_of(animation, piece))},
-                   {"material", primitives.size()}};
+                   {"material", number}};
     if (!targets.empty()) primitive["targets"] = targets;
     primitives.push_back(std::move(primitive));
-    add_material(document, buffers, piece);
+    add_material(document, buffers, piece, number);
   }
   json mesh{{"primitives", std::move(primitives)}};
   if (!targets.empty()) {

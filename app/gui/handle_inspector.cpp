@@ -62,12 +62,13 @@ void draw_name(const SelectedHandles& selected, Editor& editor, const PanelConte
 
 void draw_position(const SelectedHandles& selected, Editor& editor, const Look& look) {
   const std::array<std::optional<double>, 2> common{selected.x, selected.y};
-  constexpr std::array kNames{"X", "Y"};
-  constexpr std::array kIds{"##x", "##y"};
+  constexpr std::array kAxisNames{"X", "Y"};
+  constexpr std::array kAxisIds{"##x", "##y"};
   for (int axis = 0; axis < 2; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    begin_field(kNames[i], look);
-    if (const auto value = draw_number(kIds[i], common[i], 0)) set_coordinate(editor, axis, *value);
+    begin_field(kAxisNames[i], look);
+    if (const auto value = draw_number(kAxisIds[i], common[i], 0))
+      set_coordinate(editor, axis, *value);
     tooltip("Where it should be, in the units of the mesh.", look);
   }
 }

@@ -35,18 +35,16 @@ void append_command(std::vector<std::byte>& bytes, const ImDrawCmd& command) {
 }  // namespace
 
 bool InterfacePicture::follow(const ImDrawData& data) {
-  std::vector<std::byte> drawn;
-  drawn.reserve(drawn_.size());
-  append(drawn, data.DisplaySize);
+  drawing_.clear();
+  append(drawing_, data.DisplaySize);
   for (const ImDrawList* list :
        std::span(data.CmdLists, static_cast<std::size_t>(data.CmdListsCount))) {
-    append(drawn, list->VtxBuffer);
-    append(drawn, list->IdxBuffer);
-    for (const ImDrawCmd& command : list->CmdBuffer) append_command(drawn, command);
+    append(drawing_, list->VtxBuffer);
+    append(drawing_, list->IdxBuffer);
+    for (const ImDrawCmd& command : list->CmdBuffer) append_command(drawing_, command);
   }
-  const bool differs = drawn != drawn_;
-  drawn_ = std::move(drawn);
-  return differs;
+  std::swap(drawing_, drawn_);
+  return drawing_ != drawn_;
 }
 
 }  // namespace foldless

@@ -16,6 +16,7 @@ class InterfacePicture {
 
  private:
   std::vector<std::byte> drawn_;
+  std::vector<std::byte> drawing_;  ///< memory for the next frame; holds the last but one
 };
 
 }  // namespace foldless

@@ -9,7 +9,9 @@ void need_recovery(Glyphs& glyphs, const Recovery& recovery) {
     glyphs.need(recovery.origin(i).name);
     glyphs.need(recovery.origin(i).path.native());
   }
-  if (recovery.is_open()) glyphs.need(recovery.problem());
+  if (!recovery.is_open()) return;
+  glyphs.need(recovery.problem());
+  glyphs.need(recovery.unread());
 }
 
 void need_browser(Glyphs& glyphs, const FileBrowser& browser) {

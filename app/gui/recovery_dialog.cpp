@@ -43,6 +43,16 @@ void draw_rows(Recovery& recovery, const Look& look) {
   end_list_rows();
 }
 
+void draw_problem(const Recovery& recovery, const Look& look) {
+  const bool has_work = recovery.problem().empty();
+  if (has_work && recovery.unread().empty()) return;
+  ImGui::Spacing();
+  ImGui::PushStyleColor(ImGuiCol_Text, look.palette->warning);
+  ImGui::TextWrapped("%s", (has_work ? recovery.unread() : recovery.problem()).c_str());
+  if (has_work) ImGui::TextWrapped("This is the newest that can be read; the rest is kept.");
+  ImGui::PopStyleColor();
+}
+
 /// Nothing brings it back, so it is asked first.
 void draw_discard_question(Recovery& recovery, const Look& look) {
   if (!begin_dialog("##discard", look)) return;
@@ -91,12 +101,7 @@ void draw_recovery_dialog(Editor& editor, const PanelContext& context) {
     // In a low window the rows scroll, the buttons stay.
     begin_rows({0, -ImGui::GetFrameHeightWithSpacing()}, look);
     draw_rows(recovery, look);
-    if (!recovery.problem().empty()) {
-      ImGui::Spacing();
-      ImGui::PushStyleColor(ImGuiCol_Text, look.palette->warning);
-      ImGui::TextWrapped("%s", recovery.problem().c_str());
-      ImGui::PopStyleColor();
-    }
+    draw_problem(recovery, look);
     ImGui::EndChild();
     draw_buttons(editor, look);
   }

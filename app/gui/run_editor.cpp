@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <string>
 
 #include "app/editor/editor.h"
 #include "app/exit_status.h"
@@ -103,11 +104,13 @@ class Session {
       throw;
     }
     if (ui_.wants_to_quit()) return kExitDone;
-    rescue();
+    if (const std::string problem = rescue(); !problem.empty())
+      throw Error("no copy of unsaved work could be kept: " + problem);
     return kExitInterrupted;
   }
 
-  void rescue() { editor_.files().rescue(); }
+  /// Returns why that cannot be done.
+  std::string rescue() { return editor_.files().rescue(); }
 
  private:
   void draw_frame() {

@@ -9,12 +9,12 @@
 namespace foldless {
 namespace {
 
-constexpr float kWidth = 284;  // design pixels
+constexpr float kDialogWidth = 284;  // design pixels
 
 Rectangle dialog_place(const Layout& layout, float scale) {
   const float right = layout.status_bar.width;
   const float width =
-      std::min(std::max(layout.right.width, std::round(kWidth * scale)), 0.6F * right);
+      std::min(std::max(layout.right.width, std::round(kDialogWidth * scale)), 0.6F * right);
   const float top = layout.menu_bar.height;
   return {right - width, top, width, layout.status_bar.y - top};
 }

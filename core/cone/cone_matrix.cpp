@@ -8,6 +8,7 @@ namespace foldless {
 namespace {
 
 constexpr int kRefinements = 2;
+constexpr std::size_t kElementsBetweenLooks = 16384;  ///< at the token
 
 SparseSymmetric pattern_of(int nodes, const std::vector<std::array<int, 3>>& elements) {
   std::vector<std::pair<int, int>> edges;
@@ -47,11 +48,11 @@ bool ConeMatrix::factorize(const ConeProgram& program, const MiddleMatrices& mid
     StageTimer timer(times_.assemble);
     std::ranges::fill(matrix_.value, 0.0);
     for (std::size_t t = 0; t < program.size(); ++t) {
+      if (t % kElementsBetweenLooks == 0 && is_stopped()) return false;
       const ConeElement& e = program[t];
       add_block(matrix_, e.nodes, e.P + e.G.transpose() * middle[t] * e.G);
     }
   }
-  if (is_stopped()) return false;
   if (!cholesky_.is_analyzed()) {
     StageTimer timer(times_.analyze);
     cholesky_.analyze(matrix_);
@@ -68,6 +69,7 @@ Eigen::VectorXd ConeMatrix::solve(const ConeProgram& program, const MiddleMatric
   for (int round = 0; round < kRefinements && !is_stopped(); ++round) {
     Eigen::VectorXd residual = right;
     for (std::size_t t = 0; t < program.size(); ++t) {
+      if (t % kElementsBetweenLooks == 0 && is_stopped()) return x;
       const ConeElement& e = program[t];
       const CornerVector corners = corners_of(x, e);
       const CornerVector product = e.P * corners + e.G.transpose() * (middle[t] * (e.G * corners));

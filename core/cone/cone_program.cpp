@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/cone/second_order_cone.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -28,11 +29,19 @@ MiddleMatrices no_constraints(const ConeProgram& program) {
 
 using Cones = Eigen::Matrix3Xd;  ///< one vector a column, one column an element
 
+constexpr std::ptrdiff_t kElementsTogether = 512;  ///< that a thread takes
+
+/// Calls visit(t) for every column of `cones`, by the team of this thread.
+template <class Visit>
+void for_elements(const Cones& cones, const Visit& visit) {
+  each_in_ranges(cones.cols(), kElementsTogether, visit);
+}
+
 /// One solve: the iterate (x, s, z), with s → Gx + g and z the multipliers of s ∈ Q.
 class InteriorPoint {
  public:
   InteriorPoint(const ConeProgram& program, ConeMatrix& matrix)
-      : program_(program), matrix_(matrix), middle_(program.size()) {}
+      : program_(program), matrix_(matrix), scaling_(program.size()), middle_(program.size()) {}
 
   ConeSolution solve(double tolerance, const std::stop_token& token);
 
@@ -63,6 +72,7 @@ class InteriorPoint {
   bool is_certificate() const;
   bool scale();
   bool advance();
+  /// Not whole where it was stopped.
   Direction direction(const Cones& complementarity);
   double step_length(const Direction& d) const;
   Cones rows(const Eigen::VectorXd& x) const;
@@ -125,8 +135,10 @@ bool InteriorPoint::start() {
 
 Cones InteriorPoint::rows(const Eigen::VectorXd& x) const {
   Cones rows(3, static_cast<Eigen::Index>(program_.size()));
-  for (std::size_t t = 0; t < program_.size(); ++t)
-    rows.col(static_cast<Eigen::Index>(t)) = program_[t].G * corners_of(x, program_[t]);
+  for_elements(rows, [&](Eigen::Index t) {
+    const ConeElement& e = program_[static_cast<std::size_t>(t)];
+    rows.col(t) = e.G * corners_of(x, e);
+  });
   return rows;
 }
 
@@ -181,11 +193,11 @@ void InteriorPoint::remember_if_better() {
 }
 
 bool InteriorPoint::scale() {
-  scaling_.clear();
-  for (Eigen::Index t = 0; t < s_.cols(); ++t) {
-    scaling_.emplace_back(s_.col(t), z_.col(t));
-    middle_[static_cast<std::size_t>(t)] = scaling_.back().W_inv2;
-  }
+  for_elements(s_, [&](Eigen::Index t) {
+    NesterovTodd& w = scaling_[static_cast<std::size_t>(t)];
+    w = NesterovTodd(s_.col(t), z_.col(t));
+    middle_[static_cast<std::size_t>(t)] = w.W_inv2;
+  });
   return matrix_.factorize(program_, middle_);
 }
 
@@ -198,6 +210,7 @@ bool InteriorPoint::advance() {
   const Direction affine = direction(complementarity);
   if (matrix_.is_stopped()) return false;
   const Direction d = direction(corrected(affine));
+  if (matrix_.is_stopped()) return false;
   const double t = std::min(1.0, kStep * step_length(d));
   if (!(t >= kSmallestStep)) return false;
   x_ += t * d.x;
@@ -211,12 +224,12 @@ Cones InteriorPoint::corrected(const Direction& affine) const {
   const double sigma = std::pow(std::max(0.0, gap_after(affine, t_affine) / residuals_.gap), 3);
   const double mu = residuals_.gap / static_cast<double>(s_.cols());
   Cones complementarity(3, s_.cols());
-  for (Eigen::Index t = 0; t < s_.cols(); ++t) {
+  for_elements(s_, [&](Eigen::Index t) {
     const NesterovTodd& w = scaling_[static_cast<std::size_t>(t)];
     const Cone3 right = sigma * mu * Cone3::UnitX() -
                         cone_product(w.W_inv * affine.s.col(t), w.W * affine.z.col(t));
     complementarity.col(t) = cone_quotient(w.lambda, right) - w.lambda;
-  }
+  });
   return complementarity;
 }
 
@@ -229,18 +242,19 @@ double InteriorPoint::gap_after(const Direction& d, double t) const {
 InteriorPoint::Direction InteriorPoint::direction(const Cones& complementarity) {
   const Residuals& r = residuals_;
   Cones scaled(3, s_.cols());
-  for (Eigen::Index t = 0; t < s_.cols(); ++t) {
+  for_elements(s_, [&](Eigen::Index t) {
     const NesterovTodd& w = scaling_[static_cast<std::size_t>(t)];
     scaled.col(t) = w.W_inv * complementarity.col(t) - w.W_inv2 * r.primal.col(t);
-  }
+  });
   Direction d;
   d.x = matrix_.solve(program_, middle_, transposed_rows(scaled) - r.dual);
+  if (matrix_.is_stopped()) return d;
   d.s = rows(d.x) + r.primal;
   d.z.resize(3, s_.cols());
-  for (Eigen::Index t = 0; t < s_.cols(); ++t) {
+  for_elements(s_, [&](Eigen::Index t) {
     const NesterovTodd& w = scaling_[static_cast<std::size_t>(t)];
     d.z.col(t) = w.W_inv * complementarity.col(t) - w.W_inv2 * d.s.col(t);
-  }
+  });
   return d;
 }
 

@@ -25,6 +25,7 @@ double largest_step(const Cone3& s, const Cone3& d);
 /// The scaling of Nesterov and Todd for a point s and a dual point z inside Q: the symmetric W
 /// with W z = W⁻¹ s = λ.
 struct NesterovTodd {
+  NesterovTodd() {}  ///< of nothing yet; a vector of defaulted ones would be cleared first
   NesterovTodd(const Cone3& s, const Cone3& z);
 
   Eigen::Matrix3d W;

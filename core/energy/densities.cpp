@@ -4,24 +4,32 @@
 #include <algorithm>
 #include <array>
 
-#include "core/energy/arap.h"
-#include "core/energy/dirichlet.h"
-#include "core/energy/green_strain.h"
-#include "core/energy/lscm.h"
-#include "core/energy/symmetric_dirichlet.h"
+#include "core/energy/density_kinds.h"
 
 namespace foldless {
 namespace {
 
+template <class Kind>
+double value(const Mat2& J) {
+  return Kind::value(matrix2(J));
+}
+template <class Kind>
+DensityDerivatives derivatives(const Mat2& J) {
+  return Kind::derivatives(matrix2(J));
+}
+
 constexpr std::array kDensities{
-    Density{"dirichlet", "Dirichlet", "EDD*95", 0.01, false, dirichlet_value,
-            dirichlet_derivatives},
-    Density{"lscm", "LSCM (conformal)", "LPRM02", 0.01, false, lscm_value, lscm_derivatives},
-    Density{"arap", "As rigid as possible", "LZX*08", 0.01, false, arap_value, arap_derivatives},
-    Density{"green-strain", "Green's strain", "HG00", 100, true, green_strain_value,
-            green_strain_derivatives},
+    Density{"dirichlet", "Dirichlet", "EDD*95", 0.01, false, DensityKind::dirichlet,
+            value<Dirichlet>, derivatives<Dirichlet>},
+    Density{"lscm", "LSCM (conformal)", "LPRM02", 0.01, false, DensityKind::lscm, value<Lscm>,
+            derivatives<Lscm>},
+    Density{"arap", "As rigid as possible", "LZX*08", 0.01, false, DensityKind::arap, value<Arap>,
+            derivatives<Arap>},
+    Density{"green-strain", "Green's strain", "HG00", 100, true, DensityKind::green_strain,
+            value<GreenStrain>, derivatives<GreenStrain>},
     Density{"symmetric-dirichlet", "Symmetric Dirichlet", "SS15", 0.01, false,
-            symmetric_dirichlet_value, symmetric_dirichlet_derivatives},
+            DensityKind::symmetric_dirichlet, value<SymmetricDirichlet>,
+            derivatives<SymmetricDirichlet>},
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <string_view>
 
-#include "core/mesh/triangle.h"
+#include "core/energy/matrix2.h"
 
 namespace foldless {
 
@@ -14,15 +14,20 @@ namespace foldless {
 ///   ∇ψ  = norm j + det g + trace vec(I),
 ///   ∇²ψ = norm I + det D + norm_norm j jᵀ + norm_det (j gᵀ + g jᵀ) + det_det g gᵀ.
 /// [dimensionless]
-struct DensityDerivatives {
-  double value = 0;
-  double norm = 0;
-  double det = 0;
-  double norm_norm = 0;
-  double norm_det = 0;
-  double det_det = 0;
-  double trace = 0;  ///< the one term that may not be isotropic
+template <class Real>
+struct DerivativesOf {
+  Real value = 0;
+  Real norm = 0;
+  Real det = 0;
+  Real norm_norm = 0;
+  Real norm_det = 0;
+  Real det_det = 0;
+  Real trace = 0;  ///< the one term that may not be isotropic
 };
+using DensityDerivatives = DerivativesOf<double>;
+
+/// Which formula.
+enum class DensityKind { dirichlet, lscm, arap, green_strain, symmetric_dirichlet };
 
 /// A distortion energy as its density ψ(J) per unit of rest area: one row of densities().
 struct Density {
@@ -31,6 +36,7 @@ struct Density {
   std::string_view citation;   ///< key of docs/bibliography.md
   double default_beta;         ///< β when the scene gives none (paper, section 5)
   bool paper_sums_unweighted;  ///< paper and [SKPSH13] sum ψ without the area A_t
+  DensityKind kind;            ///< for loops over triangles
   double (*value)(const Mat2& J);
   DensityDerivatives (*derivatives)(const Mat2& J);
 };

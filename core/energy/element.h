@@ -3,35 +3,11 @@
 
 #include <Eigen/Core>
 
-#include "core/energy/density.h"
+#include "core/energy/energy_settings.h"
 #include "core/mesh/mesh_pair.h"
 #include "core/mesh/triangle.h"
 
 namespace foldless {
-
-/// What a deformed triangle is compared with.
-enum class Reference {
-  rest,        ///< its triangle in M
-  equilateral  ///< an equilateral triangle of the same area: E forgets the map's distortion
-};
-
-/// Which energy E of eq. 5 is minimised, in the frame of the mesh it is used on.
-struct EnergySettings {
-  const Density* density = nullptr;  ///< ψ
-  double alpha = 5e7;                ///< weight of the penalty
-  double beta = 0.01;         ///< weight of a triangle's barrier χ_t; 0 keeps only the bound
-  double delta = 1e-5;        ///< smallest A′/A, in (0, 1)
-  bool area_weighted = true;  ///< false: unit_area Σ ψ instead of Σ A ψ
-  double unit_area = 1;       ///< D², so that no sum depends on the unit of length [length²]
-  bool barrier_area_weighted = false;  ///< true: Σ β A χ instead of Σ β χ
-  Reference reference = Reference::rest;
-  double conformal_weight = 0;  ///< of conformal_square_value() of every triangle, large or small
-  /// κ, the weight per rest area of the barrier on the gaps of boundary vertices; 0: neither the
-  /// barrier nor its bound on steps, and boundary vertices may overlap themselves.
-  double gap_weight = 0;
-
-  bool guards_boundary() const { return gap_weight > 0; }
-};
 
 /// What the energy needs of a rest triangle.
 struct RestElement {
@@ -88,7 +64,7 @@ ElementEnergy element_energy(const EnergySettings& settings, const RestElement& 
 /// Precondition: A′ > δA.
 ElementGradient element_gradient(const EnergySettings& settings, const RestElement& rest,
                                  const Corners& deformed);
-/// The Hessian is without the part `clamping` of its negative curvature; see negative_curvature().
+/// The Hessian is without the part `clamping` of its negative curvature; see NegativeCurvature.
 /// Precondition: A′ > δA.
 ElementHessian element_hessian(const EnergySettings& settings, const RestElement& rest,
                                const Corners& deformed, double clamping = 0);

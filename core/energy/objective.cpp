@@ -89,13 +89,10 @@ void Objective::follow_flips(const MeshPair& mesh) {
 
 EnergyTerms Objective::value(const Energy& energy, const Points& u) const {
   EnergyTerms terms;
-  if (is_shared()) {
-    sum_shared(energy, u, terms);
-  } else {
-    for (Eigen::Index t = 0; t < triangles_.cols() && terms.barrier < kInfinity; ++t)
-      terms.add(element_energy(energy.settings, reference(energy.settings, t),
-                               corners_of(u, triangles_.col(t))));
-  }
+  if (is_shared())
+    sum_shared(batch_of(energy, u), terms);
+  else
+    sum_elements(batch_of(energy, u), terms);
   if (energy.settings.guards_boundary() && terms.barrier < kInfinity)
     terms.barrier += energy.settings.gap_weight * guard_.value(u);
   if (terms.barrier == kInfinity) return {0, 0, kInfinity};
@@ -106,31 +103,22 @@ EnergyTerms Objective::value(const Energy& energy, const Points& u) const {
 EnergyGradient Objective::gradient(const Energy& energy, const Points& u) const {
   EnergyGradient sum{{}, Eigen::VectorXd::Zero(u.size())};
   if (is_shared())
-    sum_shared(energy, u, sum);
+    sum_shared(batch_of(energy, u), sum);
   else
-    sum_elements(energy, u, sum);
+    sum_elements(batch_of(energy, u), sum);
   add_gaps(energy.settings, u, sum);
   add_penalty(energy, u, sum);
   return sum;
 }
 
-void Objective::sum_elements(const Energy& energy, const Points& u, EnergyGradient& sum) const {
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const ElementGradient e = element_gradient(energy.settings, reference(energy.settings, t),
-                                               corners_of(u, triangles_.col(t)));
-    sum.energy.add(e.energy);
-    for (int corner = 0; corner < 3; ++corner)
-      sum.gradient.segment<2>(2 * triangles_(corner, t)) += e.gradient.segment<2>(2 * corner);
-  }
-}
-
 EnergyGradient Objective::assemble(const Energy& energy, const Points& u, SparseSymmetric& hessian,
                                    double clamping) const {
   EnergyGradient sum{{}, Eigen::VectorXd::Zero(u.size())};
+  const ElementBatch batch = batch_of(energy, u, clamping);
   if (is_shared())
-    sum_shared({energy, u, clamping}, sum, hessian);
+    sum_shared(batch, energy.constraints, sum, hessian);
   else
-    sum_elements({energy, u, clamping}, sum, hessian);
+    sum_elements(batch, energy.constraints, sum, hessian);
   add_gaps(energy.settings, u, sum);
   add_gaps(energy, u, hessian);
   add_penalty(energy, u, sum);
@@ -138,19 +126,14 @@ EnergyGradient Objective::assemble(const Energy& energy, const Points& u, Sparse
   return sum;
 }
 
-void Objective::sum_elements(const SecondOrder& at, EnergyGradient& sum,
-                             SparseSymmetric& hessian) const {
-  std::fill(hessian.value.begin(), hessian.value.end(), 0.0);
-  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
-    const ElementHessian e = second_order(at, t);
-    sum.energy.add(e.energy);
-    std::array<int, 3> nodes{};
-    for (int corner = 0; corner < 3; ++corner) {
-      const int v = triangles_(corner, t);
-      nodes[static_cast<std::size_t>(corner)] = node_of(v, at.energy.constraints);
-      sum.gradient.segment<2>(2 * v) += e.gradient.segment<2>(2 * corner);
-    }
-    add_block(hessian, nodes, e.hessian);
+void Objective::add_columns(const BlocksOf<double>& blocks, const Corner& of,
+                            const Constraints& constraints, SparseSymmetric& hessian) const {
+  const int j = node_of(triangles_(of.corner, of.triangle), constraints);
+  if (j < 0) return;
+  const Eigen::Matrix<double, 6, 2> columns = columns_of_corner(blocks, of.corner);
+  for (int other = 0; other < 3; ++other) {
+    const int i = node_of(triangles_(other, of.triangle), constraints);
+    if (i >= j) add_block(hessian, i, j, columns.middleRows<2>(2 * other));
   }
 }
 

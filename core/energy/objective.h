@@ -7,6 +7,7 @@
 #include "core/energy/boundary_guard.h"
 #include "core/energy/constraints.h"
 #include "core/energy/element.h"
+#include "core/energy/element_loops.h"
 #include "core/energy/shared_elements.h"
 #include "core/linear/sparse_symmetric.h"
 #include "core/mesh/mesh_pair.h"
@@ -85,21 +86,26 @@ class Objective {
   RestElement reference(const EnergySettings& settings, Eigen::Index t) const {
     return reference_element(settings, rest_[static_cast<std::size_t>(t)]);
   }
-  struct SecondOrder {
-    const Energy& energy;
-    const Points& u;
-    double clamping;
-  };
-  ElementHessian second_order(const SecondOrder& at, Eigen::Index t) const {
-    return element_hessian(at.energy.settings, reference(at.energy.settings, t),
-                           corners_of(at.u, triangles_.col(t)), at.clamping);
+  ElementBatch batch_of(const Energy& energy, const Points& u, double clamping = 0) const {
+    return {energy.settings, triangles_, rest_, u, clamping};
   }
-  void sum_elements(const Energy& energy, const Points& u, EnergyGradient& sum) const;
-  void sum_elements(const SecondOrder& at, EnergyGradient& sum, SparseSymmetric& hessian) const;
+  void sum_elements(const ElementBatch& batch, EnergyTerms& sum) const;
+  void sum_elements(const ElementBatch& batch, EnergyGradient& sum) const;
+  void sum_elements(const ElementBatch& batch, const Constraints& constraints, EnergyGradient& sum,
+                    SparseSymmetric& hessian) const;
+  /// A corner of a triangle.
+  struct Corner {
+    std::ptrdiff_t triangle;
+    int corner;
+  };
+  /// To the columns of the corner's vertex, unless it is no unknown, what a triangle gives there.
+  void add_columns(const BlocksOf<double>& blocks, const Corner& of, const Constraints& constraints,
+                   SparseSymmetric& hessian) const;
   // The same bits, by all threads of the team (shared_objective.cpp).
-  void sum_shared(const Energy& energy, const Points& u, EnergyTerms& sum) const;
-  void sum_shared(const Energy& energy, const Points& u, EnergyGradient& sum) const;
-  void sum_shared(const SecondOrder& at, EnergyGradient& sum, SparseSymmetric& hessian) const;
+  void sum_shared(const ElementBatch& batch, EnergyTerms& sum) const;
+  void sum_shared(const ElementBatch& batch, EnergyGradient& sum) const;
+  void sum_shared(const ElementBatch& batch, const Constraints& constraints, EnergyGradient& sum,
+                  SparseSymmetric& hessian) const;
   void add_gaps(const EnergySettings& settings, const Points& u, EnergyGradient& sum) const;
   void add_gaps(const Energy& energy, const Points& u, SparseSymmetric& hessian) const;
   void add_pull_of_gaps(const EnergySettings& settings, const Points& u, const Points& way,
@@ -111,8 +117,8 @@ class Objective {
   std::vector<Eigen::Index> triangles_of_handles_;  ///< those with a corner at a hard handle
   CornersOfVertices corners_;  ///< empty where the triangles are too few to share
   Scratch<ElementEnergy> energies_;
-  Scratch<ElementGradient> gradients_;
-  Scratch<ElementHessian> hessians_;
+  Scratch<Matrix2<double>> gradients_;
+  Scratch<BlocksOf<double>> hessians_;
   BoundaryGuard guard_;
 };
 

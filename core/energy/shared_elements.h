@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -23,9 +22,7 @@ constexpr std::ptrdiff_t kTrianglesTogether = 512;
 /// triangles, does it alone.
 template <class Visit>
 void for_triangles(std::ptrdiff_t count, const Visit& visit) {
-  in_ranges(count, kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t t = begin; t < end; ++t) visit(t);
-  });
+  each_in_ranges(count, kTrianglesTogether, visit);
 }
 
 /// The least of bound(t) over all triangles; infinite where there is none.
@@ -86,15 +83,14 @@ class Scratch {
   Scratch(const Scratch&) {}
   Scratch& operator=(const Scratch&) { return *this; }
 
-  /// Room for so many values, which are to be made there with set().
+  /// Room for so many values.
   Value* of_size(std::size_t size) const {
     room_.reserve(size);
     return reinterpret_cast<Value*>(room_.data());
   }
-  static Value& set(Value* place, const Value& value) { return *std::construct_at(place, value); }
 
  private:
-  static_assert(std::is_trivially_destructible_v<Value>);
+  static_assert(std::is_trivially_copyable_v<Value>);
   struct Room {
     alignas(Value) std::byte bytes[sizeof(Value)];
   };

@@ -8,13 +8,17 @@
 
 namespace foldless {
 
-std::string read_small_file(const std::filesystem::path& file) {
+std::string small_file(const std::filesystem::path& file) {
   constexpr std::uintmax_t kMostBytesOfSmall = 1 << 20;
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure)) return {};
   if (std::filesystem::file_size(file, failure) > kMostBytesOfSmall || failure) return {};
+  return read_file(file);
+}
+
+std::string read_small_file(const std::filesystem::path& file) {
   try {
-    return read_file(file);
+    return small_file(file);
   } catch (const Error&) {
     return {};
   }

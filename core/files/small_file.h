@@ -10,5 +10,7 @@ namespace foldless {
 /// none, it cannot be read, is no regular file (a pipe would be waited for), or has more than 1
 /// MiB.
 std::string read_small_file(const std::filesystem::path& file);
+/// The same, but throws Error where there is one that cannot be read.
+std::string small_file(const std::filesystem::path& file);
 
 }  // namespace foldless

@@ -125,9 +125,8 @@ void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorX
   if (present_team() && !A.earlier_start.empty()) {
     y.resize(A.size());
     constexpr std::ptrdiff_t kNodesTogether = 1024;
-    in_ranges(A.nodes, kNodesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      for (std::ptrdiff_t j = begin; j < end; ++j) multiply_rows(A, j, x.data(), y.data());
-    });
+    each_in_ranges(A.nodes, kNodesTogether,
+                   [&](std::ptrdiff_t j) { multiply_rows(A, j, x.data(), y.data()); });
     return;
   }
   y.setZero(A.size());

@@ -23,9 +23,8 @@ void count_offender(int index, int& count, std::optional<int>& first) {
 std::vector<int> orientations(const Triangles& triangles, const Points& points) {
   std::vector<int> signs(static_cast<std::size_t>(triangles.cols()));
   constexpr std::ptrdiff_t kTogether = 2048;
-  in_ranges(triangles.cols(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t f = begin; f < end; ++f)
-      signs[static_cast<std::size_t>(f)] = orientation(points, triangles.col(f));
+  each_in_ranges(triangles.cols(), kTogether, [&](std::ptrdiff_t f) {
+    signs[static_cast<std::size_t>(f)] = orientation(points, triangles.col(f));
   });
   return signs;
 }

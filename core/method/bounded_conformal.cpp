@@ -198,17 +198,15 @@ BoundedConformal::Trial BoundedConformal::solve_program(const Points& handle_pos
   const Points u = system_.with_handles(mesh_.deformed(), handle_positions);
   if (!system_.are_held_triangles_bounded(u, K))
     return {ConeStatus::infeasible, {}, "infeasible: a triangle of three handles folds"};
-  std::vector<TriangleTerm> terms;
-  terms.reserve(frames_.size());
-  for (const Complex& frame : frames_) {
-    TriangleTerm& term = terms.emplace_back(system_.energy_term(frame));
+  const auto term_of = [&](std::size_t t) {
+    TriangleTerm term = system_.energy_term(frames_[t]);
     // (k Re(e^{−iθ} f_z), Re f_z̄, Im f_z̄) is in the cone.
-    term.R(0, 0) = k * frame.real();
-    term.R(0, 1) = k * frame.imag();
+    term.R(0, 0) = k * frames_[t].real();
+    term.R(0, 1) = k * frames_[t].imag();
     term.R(1, 2) = term.R(2, 3) = 1;
-  }
-  const ConeSolution solution =
-      system_.solver.solve(system_.program(u, handle_positions, terms), tolerance, token);
+    return term;
+  };
+  const ConeSolution solution = system_.solve({u, handle_positions, term_of}, tolerance, token);
   switch (solution.status) {
     case ConeStatus::solved: return {solution.status, system_.moved(u, solution.x), ""};
     case ConeStatus::infeasible:

@@ -12,14 +12,15 @@
 #include "core/method/satisfied.h"
 
 namespace foldless {
-namespace {
 
-/// An energy as A (z |f_z − t|² + zbar |f_z̄|²) with t = 1, or the frame.
+/// As A (z |f_z − t|² + zbar |f_z̄|²) with t = 1, or the frame.
 struct QuadraticEnergy {
   std::string_view density;
   double z, zbar;
   bool follows_frame;
 };
+
+namespace {
 
 constexpr std::array kQuadraticEnergies{
     QuadraticEnergy{"dirichlet", 1, 1, false},
@@ -31,6 +32,8 @@ const QuadraticEnergy* find_quadratic(const Density& density) {
   const auto row = std::ranges::find(kQuadraticEnergies, density.name, &QuadraticEnergy::density);
   return row == kQuadraticEnergies.end() ? nullptr : &*row;
 }
+
+constexpr std::size_t kElementsBetweenLooks = 8192;  ///< at the token
 
 constexpr int kLocalGlobalSteps = 200;  ///< of arap, to its minimum without constraints
 
@@ -69,13 +72,13 @@ void expect_two_handles(const Problem& problem, std::string_view method) {
 ConformalSystem::ConformalSystem(const Problem& problem, std::string_view method)
     : solver(0, {}),
       density_(problem.energy),
+      quadratic_(find_quadratic(*density_)),
       rest_(problem.mesh.rest()),
       diagonal_(bounding_box_diagonal(rest_)) {
-  const QuadraticEnergy* energy = find_quadratic(*density_);
-  if (!energy)
+  if (!quadratic_)
     throw Error("method '" + std::string(method) + "' has no energy '" +
                 std::string(density_->name) + "'; choose dirichlet, lscm or arap");
-  if (energy->z == 0) expect_two_handles(problem, method);
+  if (quadratic_->z == 0) expect_two_handles(problem, method);
   find_unknowns(problem);
   add_springs(problem);
   solver = ConeSolver(static_cast<int>(vertex_of_node_.size()), element_nodes());
@@ -84,10 +87,13 @@ ConformalSystem::ConformalSystem(const Problem& problem, std::string_view method
 void ConformalSystem::find_unknowns(const Problem& problem) {
   for (const Handle& handle : problem.handles)
     hard_vertices_.push_back(handle.kind == HandleKind::soft ? -1 : handle.vertex);
-  std::vector<int> node_of_vertex(static_cast<std::size_t>(problem.mesh.vertex_count()), -1);
+  std::vector<int> node_of_vertex(static_cast<std::size_t>(problem.mesh.vertex_count()), 0);
+  for (const int v : hard_vertices_)
+    if (v >= 0) node_of_vertex[static_cast<std::size_t>(v)] = -1;
   for (int v = 0; v < problem.mesh.vertex_count(); ++v) {
-    if (std::ranges::find(hard_vertices_, v) != hard_vertices_.end()) continue;
-    node_of_vertex[static_cast<std::size_t>(v)] = static_cast<int>(vertex_of_node_.size());
+    int& node = node_of_vertex[static_cast<std::size_t>(v)];
+    if (node < 0) continue;
+    node = static_cast<int>(vertex_of_node_.size());
     vertex_of_node_.push_back(v);
   }
   for (const auto& t : problem.mesh.triangles().colwise()) {
@@ -105,18 +111,19 @@ void ConformalSystem::find_unknowns(const Problem& problem) {
 }
 
 void ConformalSystem::add_springs(const Problem& problem) {
-  for (std::size_t i = 0; i < problem.handles.size(); ++i) {
-    const Handle& handle = problem.handles[i];
-    if (handle.kind != HandleKind::soft) continue;
-    const double stiffness = problem.parameters.alpha * handle.weight;
-    for (std::size_t t = 0; t < free_.size(); ++t) {
-      const auto corner = std::ranges::find(free_[t].vertices, handle.vertex);
-      if (corner == free_[t].vertices.end()) continue;
-      springs_.push_back({t, static_cast<int>(corner - free_[t].vertices.begin()),
-                          static_cast<int>(i), stiffness});
-      break;
+  std::vector<int> handle_of_vertex(static_cast<std::size_t>(problem.mesh.vertex_count()), -1);
+  for (std::size_t i = 0; i < problem.handles.size(); ++i)
+    if (problem.handles[i].kind == HandleKind::soft)
+      handle_of_vertex[static_cast<std::size_t>(problem.handles[i].vertex)] = static_cast<int>(i);
+  for (std::size_t t = 0; t < free_.size(); ++t)
+    for (int corner = 0; corner < 3; ++corner) {
+      int& handle = handle_of_vertex[static_cast<std::size_t>(free_[t].vertices[corner])];
+      if (handle < 0) continue;
+      springs_.push_back(
+          {t, corner, handle,
+           problem.parameters.alpha * problem.handles[static_cast<std::size_t>(handle)].weight});
+      handle = -1;  // one triangle of the vertex has its spring
     }
-  }
 }
 
 std::vector<std::array<int, 3>> ConformalSystem::element_nodes() const {
@@ -126,18 +133,18 @@ std::vector<std::array<int, 3>> ConformalSystem::element_nodes() const {
 }
 
 std::vector<ConformalParts> ConformalSystem::parts(const Points& u) const {
-  std::vector<ConformalParts> parts;
-  parts.reserve(free_.size());
-  for (const FreeTriangle& triangle : free_)
-    parts.push_back(conformal_parts(deformation_gradient(rest_, u, triangle.vertices)));
+  std::vector<ConformalParts> parts(free_.size());
+  for_triangles(triangle_count(), [&](std::ptrdiff_t i) {
+    const auto t = static_cast<std::size_t>(i);
+    parts[t] = conformal_parts(deformation_gradient(rest_, u, free_[t].vertices));
+  });
   return parts;
 }
 
 TriangleTerm ConformalSystem::energy_term(const Complex& frame) const {
-  const QuadraticEnergy& energy = *find_quadratic(*density_);
-  return {.z_weight = energy.z,
-          .zbar_weight = energy.zbar,
-          .z_target = energy.follows_frame ? frame : Complex(1)};
+  return {.z_weight = quadratic_->z,
+          .zbar_weight = quadratic_->zbar,
+          .z_target = quadratic_->follows_frame ? frame : Complex(1)};
 }
 
 Points ConformalSystem::with_handles(Points u, const Points& targets) const {
@@ -147,22 +154,33 @@ Points ConformalSystem::with_handles(Points u, const Points& targets) const {
   return u;
 }
 
-ConeProgram ConformalSystem::program(const Points& u, const Points& targets,
-                                     const std::vector<TriangleTerm>& terms) const {
-  ConeProgram program;
-  reserve_large_pages(program, free_.size());
-  program.resize(free_.size());
-  for_triangles(static_cast<std::ptrdiff_t>(free_.size()), [&](std::ptrdiff_t i) {
-    const auto t = static_cast<std::size_t>(i);
-    program[t] = element(u, free_[t], terms[t]);
-  });
+// In blocks: the elements of a million triangles are half a gigabyte, whose clearing alone takes
+// longer than a stop may.
+bool ConformalSystem::make_program(const ProgramParts& parts, const std::stop_token& token,
+                                   ConeProgram& program) const {
+  if (program.empty()) reserve_large_pages(program, free_.size());
+  for (std::size_t begin = 0; begin < free_.size(); begin += kElementsBetweenLooks) {
+    if (token.stop_requested()) return false;
+    const std::size_t end = std::min(begin + kElementsBetweenLooks, free_.size());
+    if (program.size() < end) program.resize(end);
+    for_triangles(static_cast<std::ptrdiff_t>(end - begin), [&](std::ptrdiff_t i) {
+      const std::size_t t = begin + static_cast<std::size_t>(i);
+      program[t] = element(parts.u, free_[t], parts.term_of(t));
+    });
+  }
   for (const Spring& spring : springs_) {
     ConeElement& e = program[spring.triangle];
     e.P.diagonal().segment<2>(2 * spring.corner).array() += 2 * spring.stiffness;
     e.q.segment<2>(2 * spring.corner) -=
-        2 * spring.stiffness * targets.col(spring.handle) / diagonal_;
+        2 * spring.stiffness * parts.targets.col(spring.handle) / diagonal_;
   }
-  return program;
+  return true;
+}
+
+ConeSolution ConformalSystem::solve(const ProgramParts& parts, double tolerance,
+                                    const std::stop_token& token) {
+  if (!make_program(parts, token, program_)) return {};
+  return solver.solve(program_, tolerance, token);
 }
 
 ConeElement ConformalSystem::element(const Points& u, const FreeTriangle& triangle,
@@ -195,21 +213,21 @@ Points ConformalSystem::moved(Points u, const Eigen::VectorXd& x) const {
 
 std::optional<Points> ConformalSystem::unconstrained_minimum(const Points& u, const Points& targets,
                                                              const std::stop_token& token) {
-  const bool follows_frame = find_quadratic(*density_)->follows_frame;
-  std::vector<TriangleTerm> terms(free_.size(), energy_term(1));
-  ConeProgram cost = program(u, targets, terms);
+  std::vector<Complex> frames(free_.size(), 1);
+  const ProgramParts cost{u, targets, [&](std::size_t t) { return energy_term(frames[t]); }};
+  if (!make_program(cost, token, program_)) return std::nullopt;
+  solver.factorize_cost(program_, token);
   if (token.stop_requested()) return std::nullopt;
-  solver.factorize_cost(cost, token);
-  if (token.stop_requested()) return std::nullopt;
-  Points minimum = moved(u, solver.minimize_cost(cost, token));
-  for (int step = 1; follows_frame && step < kLocalGlobalSteps; ++step) {
+  Points minimum = moved(u, solver.minimize_cost(program_, token));
+  for (int step = 1; quadratic_->follows_frame && step < kLocalGlobalSteps; ++step) {
     if (token.stop_requested()) return std::nullopt;
     const std::vector<ConformalParts> now = parts(minimum);
-    for (std::size_t t = 0; t < terms.size(); ++t)
-      terms[t].z_target = direction_of(now[t].f_z, terms[t].z_target);
-    cost = program(u, targets, terms);
-    if (token.stop_requested()) return std::nullopt;
-    minimum = moved(u, solver.minimize_cost(cost, token));
+    for_triangles(triangle_count(), [&](std::ptrdiff_t i) {
+      const auto t = static_cast<std::size_t>(i);
+      frames[t] = direction_of(now[t].f_z, frames[t]);
+    });
+    if (!make_program(cost, token, program_)) return std::nullopt;
+    minimum = moved(u, solver.minimize_cost(program_, token));
   }
   if (token.stop_requested()) return std::nullopt;
   return minimum;

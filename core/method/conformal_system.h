@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -26,6 +27,19 @@ struct TriangleTerm {
   Eigen::Matrix<double, 3, 4> R = Eigen::Matrix<double, 3, 4>::Zero();
 };
 
+/// The term of the t-th triangle of a system; called by several threads at once.
+using TermOfTriangle = std::function<TriangleTerm(std::size_t t)>;
+
+/// An energy that is quadratic in f_z and f_z̄ for a given direction of f_z.
+struct QuadraticEnergy;
+
+/// What a program is made of.
+struct ProgramParts {
+  const Points& u;        ///< held vertices stay where it has them
+  const Points& targets;  ///< of the soft handles
+  TermOfTriangle term_of;
+};
+
 /// What [Lip12] and [AL13] have in common: cone programs over the vertices of a mesh that have no
 /// hard handle. Hard handles are eliminated, soft ones are
 /// springs of stiffness α w. Triangles without such a vertex are not in the programs.
@@ -44,10 +58,13 @@ class ConformalSystem {
   TriangleTerm energy_term(const Complex& frame) const;
   /// u with the hard handles at the targets.
   Points with_handles(Points u, const Points& targets) const;
-  /// The program of the terms, with held vertices where `u` has them, and the soft handles'
-  /// targets. It is in units of D, so that its tolerances are the same whatever the unit of length.
-  ConeProgram program(const Points& u, const Points& targets,
-                      const std::vector<TriangleTerm>& terms) const;
+  /// Makes a program. It is in units of D, so that its tolerances are the same whatever the unit of
+  /// length. Memory of `program` is used again; false where the token stopped it, and it is not
+  /// whole.
+  bool make_program(const ProgramParts& parts, const std::stop_token& token,
+                    ConeProgram& program) const;
+  /// Makes that program and solves it, see ConeSolver::solve().
+  ConeSolution solve(const ProgramParts& parts, double tolerance, const std::stop_token& token);
   /// u with the unknowns replaced by those of a program.
   Points moved(Points u, const Eigen::VectorXd& x) const;
   /// The minimiser of the energy with the handles at the targets; it may fold. Nothing when
@@ -85,6 +102,7 @@ class ConformalSystem {
                       const TriangleTerm& term) const;
 
   const Density* density_;
+  const QuadraticEnergy* quadratic_;  ///< the same
   Points rest_;
   double diagonal_;  ///< D of the rest mesh
   std::vector<int> vertex_of_node_;
@@ -92,6 +110,7 @@ class ConformalSystem {
   std::vector<FreeTriangle> free_;
   std::vector<Eigen::Vector3i> held_;
   std::vector<Spring> springs_;
+  ConeProgram program_;  ///< the last that was solved; its memory is used again
 };
 
 /// The record of a move from one map to another.

@@ -79,23 +79,22 @@ InjectiveProjection::Trial InjectiveProjection::unconstrained_minimum(
 
 InjectiveProjection::Trial InjectiveProjection::project(const std::stop_token& token) {
   const Points& u = mesh_.deformed();
-  const ConeSolution solution = system_.solver.solve(
-      system_.program(u, constraints_.targets, half_planes()), kProjectionTolerance, token);
+  const std::vector<ConformalParts> parts = system_.parts(u);
+  const auto half_plane_of = [&](std::size_t t) { return half_plane(parts[t]); };
+  const ConeSolution solution =
+      system_.solve({u, constraints_.targets, half_plane_of}, kProjectionTolerance, token);
   if (solution.status != ConeStatus::solved) return {solution.status, {}};
   return {solution.status, system_.moved(u, solution.x)};
 }
 
 // ‖J‖² = 2(|f_z|² + |f_z̄|²).
-std::vector<TriangleTerm> InjectiveProjection::half_planes() const {
+TriangleTerm InjectiveProjection::half_plane(const ConformalParts& now) const {
   const double k = dilatation_bound(parameters_.distortion_bound);
-  std::vector<TriangleTerm> terms;
-  for (const ConformalParts& now : system_.parts(mesh_.deformed())) {
-    const Complex z = direction_of(now.f_z, 1);
-    const Complex zbar = direction_of(now.f_zbar, 1);
-    TriangleTerm& term = terms.emplace_back(TriangleTerm{2, 2, now.f_z, now.f_zbar});
-    term.R.row(0) << k * z.real(), k * z.imag(), -zbar.real(), -zbar.imag();
-  }
-  return terms;
+  const Complex z = direction_of(now.f_z, 1);
+  const Complex zbar = direction_of(now.f_zbar, 1);
+  TriangleTerm term{2, 2, now.f_z, now.f_zbar};
+  term.R.row(0) << k * z.real(), k * z.imag(), -zbar.real(), -zbar.imag();
+  return term;
 }
 
 std::optional<Outcome> InjectiveProjection::judge(double step_squared, int programs) {

@@ -39,7 +39,7 @@ class InjectiveProjection final : public SteppedMethod {
   Steps<Outcome> solve();
   Trial unconstrained_minimum(const std::stop_token& token);
   Trial project(const std::stop_token& token);
-  std::vector<TriangleTerm> half_planes() const;
+  TriangleTerm half_plane(const ConformalParts& now) const;
   std::optional<Outcome> judge(double step_squared, int programs);
   Iteration record(const Points& before, int programs) const;
   Outcome end(Outcome outcome, std::string verdict);

@@ -13,7 +13,7 @@
 #include "core/scene/animation_json.h"
 #include "core/scene/inline_mesh.h"
 #include "core/scene/json_value.h"
-#include "core/scene/parameter_keys.h"
+#include "core/scene/parameter_value.h"
 #include "core/scene/parts_json.h"
 #include "core/scene/read_handles.h"
 #include "core/scene/rig_json.h"
@@ -128,30 +128,14 @@ class SceneReader {
     solver.allow_only(keys);
     if (const auto method = solver.find("method")) read_method(*method);
     for (const ParameterKey& key : parameter_keys())
-      if (const auto value = solver.find(key.name)) read_parameter(key, *value);
+      if (const auto value = solver.find(key.name))
+        key.set(scene_.parameters, parameter_value(key, *value));
   }
 
   void read_method(const JsonValue& method) {
     if (std::ranges::find(methods_, method.text()) == methods_.end())
       method.refuse("is " + method.shown() + ", which is unknown; known are " + listed(methods_));
     scene_.parameters.method = method.text();
-  }
-
-  void read_parameter(const ParameterKey& key, const JsonValue& value) {
-    if (key.kind == ParameterKind::word) return read_word(key, value);
-    const bool is_flag = key.kind == ParameterKind::flag;
-    const double number = is_flag ? (value.boolean() ? 1 : 0) : value.number();
-    if (const auto wrong = objection(key, number))
-      value.refuse("is " + value.shown() + ", but " + *wrong);
-    key.set(scene_.parameters, number);
-  }
-
-  void read_word(const ParameterKey& key, const JsonValue& value) {
-    const auto index = index_of_word(key, value.text());
-    if (!index)
-      value.refuse("is " + value.shown() + ", which is unknown; known are " +
-                   listed({key.words.begin(), key.words.end()}));
-    key.set(scene_.parameters, *index);
   }
 
   void read_mesh_of(const JsonValue& mesh) {

@@ -101,4 +101,12 @@ void in_ranges(std::ptrdiff_t count, std::ptrdiff_t grain, const Task& task) {
   });
 }
 
+/// Calls visit(i) once for every 0 ≤ i < count, `grain` of them in a task.
+template <class Visit>
+void each_in_ranges(std::ptrdiff_t count, std::ptrdiff_t grain, const Visit& visit) {
+  in_ranges(count, grain, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    for (std::ptrdiff_t i = begin; i < end; ++i) visit(i);
+  });
+}
+
 }  // namespace foldless

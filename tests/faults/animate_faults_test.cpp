@@ -52,7 +52,7 @@ class Export {
     for (int n = 1; dies_well(kind + ':' + std::to_string(n) + ":kill"); ++n) counts.last(kind);
   }
   void bears_little_memory(FaultCounts& counts) {
-    for (int n = 1; fails_well("new:" + std::to_string(n)); ++n) counts.failed("new");
+    for (long n = 1; fails_well(memory_fault(n)); ++n) counts.failed("new");
   }
 
   void is_killed_after(std::chrono::microseconds time) {

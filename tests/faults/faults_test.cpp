@@ -147,7 +147,7 @@ void expect_it_bears_all(Operation& operation) {
 
 void expect_it_bears_little_memory(Operation& operation) {
   FaultCounts counts;
-  for (long n = 1; operation.fails_well("new:" + std::to_string(n)); n = next_allocation(n))
+  for (long n = 1; operation.fails_well(memory_fault(n)); n = next_memory_fault(n))
     counts.failed("new");
   EXPECT_GT(counts.all_failed(), 20);
 }

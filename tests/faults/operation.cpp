@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// In the new process: does not return.
-[[noreturn]] void become_program(const std::vector<std::string>& arguments,
-                                 const std::string& fault, const fs::path& folder,
-                                 const TemporaryFolder& notes) {
+[[noreturn]] void become(std::string program, const std::vector<std::string>& arguments,
+                         const std::string& fault, const fs::path& folder,
+                         const TemporaryFolder& notes) {
   if (!fault.empty()) {
     ::setenv("LD_PRELOAD", FOLDLESS_FAULTS_LIBRARY, 1);
     ::setenv("FOLDLESS_FAULT", fault.c_str(), 1);
@@ -36,33 +36,43 @@ namespace {
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
   std::vector<char*> words;
-  std::string program = FOLDLESS_PROGRAM;
   words.push_back(program.data());
   for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  ::execv(FOLDLESS_PROGRAM, words.data());
+  ::execv(program.c_str(), words.data());
   ::_exit(127);
+}
+
+std::string_view wanted_faults() {
+  const char* wanted = std::getenv("FOLDLESS_FAULTS");
+  return wanted ? wanted : "";
 }
 
 }  // namespace
 
 Faulted run_with_fault(const std::vector<std::string>& arguments, const std::string& fault,
                        const fs::path& folder) {
+  return run_other_with_fault(FOLDLESS_PROGRAM, arguments, fault, folder);
+}
+
+Faulted run_other_with_fault(const std::string& program, const std::vector<std::string>& arguments,
+                             const std::string& fault, const fs::path& folder) {
   const TemporaryFolder notes;
   const pid_t process = ::fork();
-  if (process == 0) become_program(arguments, fault, folder, notes);
+  if (process == 0) become(program, arguments, fault, folder, notes);
   int ended = 0;
   ::waitpid(process, &ended, 0);
   return {fs::exists(notes / "mark"), WIFEXITED(ended) ? WEXITSTATUS(ended) : -WTERMSIG(ended),
           read_file(notes / "err")};
 }
 
-bool wants_all_faults() {
-  const char* wanted = std::getenv("FOLDLESS_FAULTS");
-  return wanted && std::string_view(wanted) == "all";
+bool wants_all_faults() { return wanted_faults() == "all" || wanted_faults() == "places"; }
+
+std::string memory_fault(long n) {
+  return (wanted_faults() == "places" ? "place:" : "new:") + std::to_string(n);
 }
 
-long next_allocation(long n) { return wants_all_faults() ? n + 1 : n + 1 + n / 4; }
+long next_memory_fault(long n) { return wants_all_faults() ? n + 1 : n + 1 + n / 4; }
 
 FaultCounts::~FaultCounts() {
   for (const auto& [kind, count] : counts_)
@@ -85,7 +95,7 @@ int FaultCounts::all_last() const {
 void run_and_kill(const std::vector<std::string>& arguments, std::chrono::microseconds time) {
   const TemporaryFolder notes;
   const pid_t process = ::fork();
-  if (process == 0) become_program(arguments, "", {}, notes);
+  if (process == 0) become(FOLDLESS_PROGRAM, arguments, "", {}, notes);
   std::this_thread::sleep_for(time);
   ::kill(process, SIGKILL);
   ::waitpid(process, nullptr, 0);

@@ -21,10 +21,16 @@ struct Faulted {
 Faulted run_with_fault(const std::vector<std::string>& arguments, const std::string& fault,
                        const std::filesystem::path& folder);
 
-/// Whether FOLDLESS_FAULTS=all asks for every fault that there is, which takes hours.
+/// The same of another program, where the faults count from its first call of signal() on.
+Faulted run_other_with_fault(const std::string& program, const std::vector<std::string>& arguments,
+                             const std::string& fault, const std::filesystem::path& folder);
+
+/// Whether FOLDLESS_FAULTS asks for every fault: `places`, but of the allocations that the same
+/// calls lead to the first only; `all`, those too, which takes hours.
 bool wants_all_faults();
-/// The allocation that fails after the n-th: there are hundred thousands.
-long next_allocation(long n);
+/// The fault of the n-th allocation, or place, and the n after it: by default a quarter more.
+std::string memory_fault(long n);
+long next_memory_fault(long n);
 
 /// Counts the faults of a test by their kinds, and tells them in the log at its end.
 class FaultCounts {
@@ -37,12 +43,19 @@ class FaultCounts {
   void last(const std::string& kind) { ++counts_[kind].last; }
   int all_failed() const;
   int all_last() const;
+  bool has_failed(const std::string& kind) const { return count_of(kind).failed > 0; }
+  bool has_been_last(const std::string& kind) const { return count_of(kind).last > 0; }
 
  private:
   struct Count {
     int failed = 0;  ///< calls that failed
     int last = 0;    ///< calls before which the program was killed
   };
+  Count count_of(const std::string& kind) const {
+    const auto at = counts_.find(kind);
+    return at == counts_.end() ? Count{} : at->second;
+  }
+
   std::map<std::string, Count> counts_;
 };
 

@@ -3,9 +3,14 @@
 // before it. FOLDLESS_FAULT is `KIND:N` or `KIND:N:kill`, N from 1; calls that concern files count
 // where the file lies in the folder FOLDLESS_FAULT_IN. When it happens, the file
 // FOLDLESS_FAULT_MARK is made. Counting begins with the call of signal() that is the program's
-// first statement. With `frame:1` the next allocation of the main thread fails after SIGUSR2.
+// first statement. Of KIND `new` is every allocation, of `place` the first of those that the same
+// calls lead to. With `frame:1` the next allocation of the main thread fails after SIGUSR2.
+// Allocations of libraries that are loaded later do not count: Mesa is of C, and after
+// std::bad_alloc of LLVM, which it calls, has passed through it, its locks are held for ever.
+#include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,7 +25,13 @@
 #include <new>
 #include <string_view>
 
+#include "tests/faults/callers.h"
+
 namespace {
+
+using foldless::test::find_objects;
+using foldless::test::is_asked_by_program;
+using foldless::test::is_new_place;
 
 template <typename Function>
 Function* next(const char* name) {
@@ -78,6 +89,13 @@ bool is_it(std::string_view kind, int descriptor) {
   return is_it(kind, path);
 }
 
+bool is_allocation() {
+  const std::string_view kind = fault().kind;
+  const bool is_place = kind == "place";
+  if (!has_begun || !(is_place || kind == "new") || !is_asked_by_program()) return false;
+  return (!is_place || is_new_place()) && is_it(kind);
+}
+
 std::atomic<bool> is_armed = false;
 
 void arm(int) { is_armed = true; }
@@ -100,6 +118,7 @@ int mode_of(int flags, va_list arguments) { return makes(flags) ? va_arg(argumen
 extern "C" {
 
 sighandler_t signal(int number, sighandler_t handler) noexcept {
+  find_objects();
   if (!has_begun.exchange(true) && std::string_view(fault().kind) == "frame")
     next<sighandler_t(int, sighandler_t)>("signal")(SIGUSR2, arm);
   return next<sighandler_t(int, sighandler_t)>("signal")(number, handler);
@@ -153,6 +172,27 @@ int rename(const char* from, const char* to) noexcept {
   return next<int(const char*, const char*)>("rename")(from, to);
 }
 
+DIR* opendir(const char* path) {
+  if (is_it("list", path)) {
+    errno = EMFILE;
+    return nullptr;
+  }
+  return next<DIR*(const char*)>("opendir")(path);
+}
+
+int flock(int descriptor, int operation) noexcept {
+  if (is_it("lock", descriptor)) return failed(ENOLCK);
+  return next<int(int, int)>("flock")(descriptor, operation);
+}
+
+char* mkdtemp(char* path) {
+  if (is_it("mkdir", path)) {
+    errno = ENOSPC;
+    return nullptr;
+  }
+  return next<char*(char*)>("mkdtemp")(path);
+}
+
 int mkdir(const char* path, mode_t mode) noexcept {
   if (is_it("mkdir", path)) return failed(ENOSPC);
   return next<int(const char*, mode_t)>("mkdir")(path, mode);
@@ -163,10 +203,15 @@ int unlink(const char* path) noexcept {
   return next<int(const char*)>("unlink")(path);
 }
 
+int remove(const char* path) noexcept {
+  if (is_it("unlink", path)) return failed(EACCES);
+  return next<int(const char*)>("remove")(path);
+}
+
 }  // extern "C"
 
 void* operator new(std::size_t size) {
-  if (is_it("new") || is_frame()) throw std::bad_alloc();
+  if (is_allocation() || is_frame()) throw std::bad_alloc();
   if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
   throw std::bad_alloc();
 }

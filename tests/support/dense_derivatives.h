@@ -4,9 +4,11 @@
 #include <Eigen/Core>
 
 #include "core/energy/density.h"
-#include "core/energy/determinant.h"
 
 namespace foldless::test {
+
+/// ∂ det J / ∂J.
+inline Mat2 cofactors(const Mat2& J) { return eigen_of(foldless::cofactors(matrix2(J))); }
 
 /// vec(J) = (J₀₀, J₁₀, J₀₁, J₁₁).
 inline Eigen::Vector4d vec(const Mat2& J) { return J.reshaped(); }

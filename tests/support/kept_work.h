@@ -27,11 +27,12 @@ inline std::filesystem::file_time_type last_kept(const std::filesystem::path& st
   return last;
 }
 
-/// Waits until another program has kept its work twice more: the first time it may have begun
-/// before the call, but the second has all that was done by then. False when that never comes.
+/// Waits until another program has kept its work three times more: a copy that is being written and
+/// one that waits for it may be from before the call, but the third has all that was done by then.
+/// False when that never comes.
 inline bool is_kept_anew(const std::filesystem::path& states, const std::filesystem::path& saved) {
   auto last = last_kept(states, saved);
-  for (int times = 0; times < 2; ++times) {
+  for (int times = 0; times < 3; ++times) {
     const auto before = last;
     if (!comes_true([&] { return (last = last_kept(states, saved)) > before; })) return false;
   }

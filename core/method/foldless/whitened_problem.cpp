@@ -34,7 +34,8 @@ Mat2 second_moments(const MeshPair& mesh) {
 
 std::optional<WhitenedProblem> whitened_problem(const Problem& problem) {
   using namespace whitening;
-  const Eigen::SelfAdjointEigenSolver<Mat2> eigen(second_moments(problem.mesh));
+  Eigen::SelfAdjointEigenSolver<Mat2> eigen;
+  eigen.computeDirect(second_moments(problem.mesh));
   const Vec2 deviation = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
   if (!(deviation[0] > 0) || deviation[1] < kLeastAnisotropy * deviation[0]) return std::nullopt;
   Mat2 map = eigen.eigenvectors() * deviation.cwiseInverse().asDiagonal() *

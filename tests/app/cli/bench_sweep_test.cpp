@@ -97,6 +97,23 @@ TEST(Sweep, RefusesFilesOfAnother) {
       << no_record.err;
 }
 
+TEST(Sweep, RefusesParametersThatNoRunCanHave) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "a.jsonl";
+  ASSERT_EQ(sweep({"--shard", "1/8", "--append", file}).status, 0);
+  const std::string text = read_text(file), count = "\"inner_iterations\": ";
+  const std::size_t begin = text.find(count) + count.size();
+  ASSERT_GT(begin, count.size());
+  for (const char* wrong : {"1e48", "0", "1.5"}) {
+    std::string other = text;
+    write_text(file,
+               other.replace(begin, text.find_first_not_of("0123456789", begin) - begin, wrong));
+    const Ended merged = test::run({"bench", "--merge", file});
+    EXPECT_EQ(merged.status, 2) << wrong;
+    EXPECT_NE(merged.err.find("a.jsonl:1: is no record"), std::string::npos) << merged.err;
+  }
+}
+
 TEST(Sweep, TakesFoldersAndListsOfScenes) {
   const TemporaryFolder folder;
   ASSERT_EQ(test::run({"bench", "--suite", "random", "--seed", "3", "--only", "0,6", "--method",

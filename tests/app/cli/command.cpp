@@ -111,6 +111,16 @@ Ended Command::wait() {
 
 Ended run(const std::vector<std::string>& arguments) { return Command(arguments).wait(); }
 
+bool in_own_process(const std::function<void()>& action) {
+  const pid_t process = fork();
+  if (process == 0) {
+    action();
+    _exit(0);
+  }
+  int status = -1;
+  return process > 0 && waitpid(process, &status, 0) == process && status == 0;
+}
+
 Ended interrupt(const std::vector<std::string>& arguments, int signal,
                 const std::function<bool(const Command&)>& is_time,
                 const std::function<void()>& clear) {

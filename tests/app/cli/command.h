@@ -50,6 +50,11 @@ class Command {
 /// Runs the program to its end.
 Ended run(const std::vector<std::string>& arguments);
 
+/// Does something in a process of its own; whether that ended as it should. To draw pictures, for
+/// one: OpenGL in memory has threads, without which it waits for ever in processes that are forked
+/// later.
+bool in_own_process(const std::function<void()>& action);
+
 /// Sends the program a signal as soon as `is_time`. Where it was quicker than that was seen,
 /// `clear` removes what it left, and it is begun again.
 Ended interrupt(const std::vector<std::string>& arguments, int signal,

@@ -93,8 +93,12 @@ TEST(MeshCall, TheUndeformedSceneIsTheImageToWithinOneGreyLevel) {
   figure.texture_place = texture_place(loaded.scene);
   // The figure keeps a margin round its frame: one pixel a pixel of the image.
   figure.frame = Box{{28, 28}, {212, 212}};
-  const Image drawn =
-      render_figure(test::undeformed({loaded.scene.triangles, loaded.scene.rest}), figure);
+  const auto draw = [&] {
+    save_png(folder.path() / "drawn.png",
+             render_figure(test::undeformed({loaded.scene.triangles, loaded.scene.rest}), figure));
+  };
+  ASSERT_TRUE(test::in_own_process(draw));
+  const Image drawn = load_image(folder.path() / "drawn.png");
   for (int y = 0; y < 240; ++y)
     for (int x = 0; x < 240; ++x) {
       const std::uint8_t *pixel = drawn.at(x, y), *original = source.at(x, y);

@@ -150,5 +150,17 @@ TEST(ResultFolder, AManifestCannotNameFilesElsewhere) {
   EXPECT_EQ(read_text(folder / "precious.obj"), "mine");
 }
 
+TEST(ResultFolder, AManifestHasSizesThatFilesCanHave) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "out");
+  for (const std::string size : {"-1", "1.5", "299999999999999999822"}) {
+    write_text(folder / "out/manifest.json",
+               R"({"foldless_result": 1, "files": [{"name": "rest.obj", "bytes": )" + size +
+                   R"(, "crc32": "00000000"}]})");
+    const std::string error = error_of([&] { const ResultFolder next(folder / "out"); });
+    EXPECT_NE(error.find("manifest.json:1: files[0].bytes"), std::string::npos) << error;
+  }
+}
+
 }  // namespace
 }  // namespace foldless

@@ -16,7 +16,7 @@ void write_copy(const AutosaveFolder& folder) { std::ofstream(folder.next_copy()
 class AutosaveFolderTest : public testing::Test {
  protected:
   fs::path root() const { return folder_ / "state/autosave"; }
-  std::size_t lost() const { return find_lost_work(root()).size(); }
+  std::size_t lost() const { return find_lost_work(root()).folders.size(); }
 
   TemporaryFolder folder_;
 };
@@ -71,6 +71,20 @@ TEST_F(AutosaveFolderTest, IsRemovedWithLeftoversButNotWithTheFilesOfOthers) {
   other.remove();
   EXPECT_TRUE(fs::exists(other.path() / "notes.txt"));
   EXPECT_EQ(std::distance(fs::directory_iterator(other.path()), {}), 1);
+}
+
+TEST_F(AutosaveFolderTest, WhatCannotBeRemovedIsLeftWithAllThatIsNewer) {
+  AutosaveFolder folder = AutosaveFolder::create(root());
+  for (int i = 0; i < 3; ++i) write_copy(folder);
+  const fs::path second = folder.copies()[1];
+  fs::remove(second);
+  fs::create_directory(second);
+  std::ofstream(second / "full") << "a folder that is not empty cannot be removed";
+  folder.remove();
+  ASSERT_EQ(lost(), 1U);
+  const auto left = find_lost_work(root()).folders.front().copies();
+  ASSERT_EQ(left.size(), 2U);
+  EXPECT_EQ(left.front().filename(), "000003.json") << "it is what is offered";
 }
 
 TEST_F(AutosaveFolderTest, FoldersWithoutCopiesAreNoLostWork) {

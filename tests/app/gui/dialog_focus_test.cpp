@@ -230,6 +230,7 @@ TEST_F(DialogFocus, SpaceTicksABoxAndOpensAListThatArrowsWalk) {
 TEST_F(DialogFocus, TheRingIsSeenUntilTheMouseIsPressed) {
   open_bar();
   headless_.click(headless_.window_point({0, 0.5}));
+  ASSERT_TRUE(headless_.wait_until([this] { return !editor().playback().is_solving(); }));
   headless_.key(Key::q, kControl);
   headless_.calm_down();
   const Image before = headless_.picture();

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/gui/replay.h"
 #include "app/gui/session_file.h"
@@ -19,11 +20,31 @@ namespace {
 constexpr double kFrameSeconds = 1.0 / 60;
 constexpr int kManyFrames = 50;
 
+/// A context in which no other editor draws. Those of editors that have ended are taken again: to
+/// make one, with the programs that Mesa compiles in it, takes a good part of the time of a short
+/// test.
+std::shared_ptr<Offscreen> take_offscreen(Extent size) {
+  // Never destroyed: as the process ends what Mesa needs for that may be gone already.
+  static std::vector<std::unique_ptr<Offscreen>>& kept =
+      *new std::vector<std::unique_ptr<Offscreen>>;
+  std::unique_ptr<Offscreen> taken;
+  if (kept.empty()) {
+    taken = std::make_unique<Offscreen>(size.width, size.height);
+  } else {
+    taken = std::move(kept.back());
+    kept.pop_back();
+    taken->make_current();
+    if (taken->width() != size.width || taken->height() != size.height)
+      taken->resize(size.width, size.height);
+  }
+  return {taken.release(), [](Offscreen* offscreen) { kept.emplace_back(offscreen); }};
+}
+
 }  // namespace
 
 HeadlessEditor::HeadlessEditor(Extent size, UiOptions options, EditorOptions editor_options)
     : size_(size),
-      offscreen_(size.width, size.height),
+      offscreen_(take_offscreen(size)),
       editor_(std::move(editor_options)),
       ui_(std::move(options)) {
   ui_.restore(editor_);
@@ -159,9 +180,9 @@ Vec2 HeadlessEditor::window_point(const Vec2& world) const {
 Vec2 HeadlessEditor::position(int vertex) const { return editor_.shown()->deformed.col(vertex); }
 
 Image HeadlessEditor::picture() {
-  offscreen_.bind();
+  offscreen_->bind();
   if (!std::exchange(is_picture_drawn_, true)) ui_.draw_again();
-  return offscreen_.read();
+  return offscreen_->read();
 }
 
 Image HeadlessEditor::canvas_picture() {

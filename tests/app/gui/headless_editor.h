@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -78,7 +79,7 @@ class HeadlessEditor {
   void send(InputEvent event);
 
   Extent size_;
-  Offscreen offscreen_;
+  std::shared_ptr<Offscreen> offscreen_;
   /// What frames are drawn into that are not looked at: their pixels would take most of the time.
   RenderTarget unseen_{1, 1, 1};
   bool is_picture_drawn_ = false;

@@ -30,26 +30,29 @@ struct Posed {
 
   /// [Lip12]'s program for rest frames.
   ConeProgram bounded(double K) const {
-    std::vector<TriangleTerm> terms(static_cast<std::size_t>(system.triangle_count()),
-                                    system.energy_term(1));
-    for (TriangleTerm& term : terms) {
-      term.R(0, 0) = dilatation_bound(K);
-      term.R(1, 2) = term.R(2, 3) = 1;
-    }
-    return system.program(u, targets, terms);
+    TriangleTerm term = system.energy_term(1);
+    term.R(0, 0) = dilatation_bound(K);
+    term.R(1, 2) = term.R(2, 3) = 1;
+    return program([&](std::size_t) { return term; });
   }
 
   /// [AL13]'s first program: half-planes, towards the minimiser.
   ConeProgram projection(double K, const Points& minimum) const {
-    std::vector<TriangleTerm> terms;
-    for (const ConformalParts& now : system.parts(minimum)) {
+    const std::vector<ConformalParts> parts = system.parts(minimum);
+    return program([&](std::size_t t) {
+      const ConformalParts& now = parts[t];
       const Complex z = direction_of(now.f_z, 1), zbar = direction_of(now.f_zbar, 1);
       TriangleTerm term{2, 2, now.f_z, now.f_zbar};
       term.R.row(0) << dilatation_bound(K) * z.real(), dilatation_bound(K) * z.imag(), -zbar.real(),
           -zbar.imag();
-      terms.push_back(term);
-    }
-    return system.program(u, targets, terms);
+      return term;
+    });
+  }
+
+  ConeProgram program(const TermOfTriangle& term_of) const {
+    ConeProgram program;
+    EXPECT_TRUE(system.make_program({u, targets, term_of}, {}, program));
+    return program;
   }
 
   ConformalSystem system;
@@ -164,6 +167,29 @@ TEST(ConeProgram, ACancelledSolveSaysSo) {
   source.request_stop();
   EXPECT_EQ(posed.system.solver.solve(posed.bounded(2), 1e-9, source.get_token()).status,
             ConeStatus::cancelled);
+}
+
+TEST(ConeProgram, AStoppedProgramSaysSoAndItsMemoryServesTheNext) {
+  const Posed posed(reference_problem("arap"));
+  const TermOfTriangle cost = [&](std::size_t) { return posed.system.energy_term(1); };
+  const Points moved = 2 * posed.u;
+  const ProgramParts first{posed.u, posed.targets, cost}, second{moved, posed.targets, cost};
+  std::stop_source source;
+  source.request_stop();
+  ConeProgram program;
+  EXPECT_FALSE(posed.system.make_program(first, source.get_token(), program));
+  EXPECT_TRUE(program.empty());
+  ASSERT_TRUE(posed.system.make_program(first, {}, program));
+  const ConeElement* memory = program.data();
+  ASSERT_TRUE(posed.system.make_program(second, {}, program));
+  EXPECT_EQ(program.data(), memory);
+  ConeProgram fresh;
+  ASSERT_TRUE(posed.system.make_program(second, {}, fresh));
+  ASSERT_EQ(program.size(), fresh.size());
+  for (std::size_t t = 0; t < fresh.size(); ++t) {
+    EXPECT_EQ(program[t].q, fresh[t].q) << t;
+    EXPECT_EQ(program[t].P, fresh[t].P) << t;
+  }
 }
 
 TEST(ConeProgram, AStoppedFactorizationOfTheCostSaysSoAndTheNextIsWhole) {

@@ -10,7 +10,6 @@
 #include "core/energy/barrier.h"
 #include "core/energy/conformal_square.h"
 #include "core/energy/densities.h"
-#include "core/energy/determinant.h"
 #include "tests/support/dense_derivatives.h"
 
 namespace foldless {
@@ -18,7 +17,8 @@ namespace {
 
 /// The nearest positive semidefinite matrix by a full eigendecomposition.
 Eigen::Matrix4d clamped_by_eigenvalues(const Eigen::Matrix4d& hessian) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(hessian);
+  // Of any size, as other tests have it: its code is a tenth of their program.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian);
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() *
          solver.eigenvectors().transpose();
 }
@@ -28,23 +28,24 @@ Mat2 random_gradient(std::mt19937_64& random) {
   Mat2 J;
   do {
     J << unit(random), unit(random), unit(random), unit(random);
-  } while (determinant(J) < 1e-2);
+  } while (J.determinant() < 1e-2);
   return J;
 }
 
 /// ∇²ψ without the part `part` of its negative curvature.
 Eigen::Matrix4d clamped_hessian(const DensityDerivatives& d, const Mat2& J, double part = 1) {
   Eigen::Matrix4d result = test::dense_hessian(d, J);
-  const std::optional<NegativeCurvature> c = negative_curvature(d, J);
-  if (!c) return result;
+  const Curvature<double> curvature(d, matrix2(J));
+  if (curvature.is_positive()) return result;
+  const NegativeCurvature<double> c = curvature.negative_part();
   Mat2 turn;
   turn << 0, -1, 1, 0;
-  const Eigen::Vector4d r = test::vec(c->rotation), e = test::vec(c->reflection);
-  const Eigen::Vector4d twist = test::vec(turn * c->rotation);
-  const Eigen::Vector4d flip = test::vec(turn * c->reflection);
-  result += part * (c->of_rotation * r * r.transpose() + c->of_reflection * e * e.transpose() +
-                    c->of_both * (r * e.transpose() + e * r.transpose()) +
-                    c->of_twist * twist * twist.transpose() + c->of_flip * flip * flip.transpose());
+  const Eigen::Vector4d r = test::vec(eigen_of(c.rotation)), e = test::vec(eigen_of(c.reflection));
+  const Eigen::Vector4d twist = test::vec(turn * eigen_of(c.rotation));
+  const Eigen::Vector4d flip = test::vec(turn * eigen_of(c.reflection));
+  result += part * (c.of_rotation * r * r.transpose() + c.of_reflection * e * e.transpose() +
+                    c.of_both * (r * e.transpose() + e * r.transpose()) +
+                    c.of_twist * twist * twist.transpose() + c.of_flip * flip * flip.transpose());
   return result;
 }
 
@@ -64,7 +65,7 @@ TEST(NegativeCurvature, GivesTheNearestPositiveSemidefiniteMatrixForEveryDensity
       SCOPED_TRACE(testing::Message() << density.name << ", trial " << trial);
       const Mat2 J = random_gradient(random);
       DensityDerivatives d = density.derivatives(J);
-      const BarrierDerivatives chi = barrier_derivatives(determinant(J), 1e-5);
+      const BarrierDerivatives<double> chi = barrier_derivatives(J.determinant(), 1e-5);
       d.det += chi.first;
       d.det_det += chi.second;
       if (trial % 2 == 1) add(conformal_square_derivatives(J), d);
@@ -102,7 +103,8 @@ TEST(NegativeCurvature, IsExactWhereTheSingularValuesAreEqualAndWhereJIsDiagonal
 
 TEST(NegativeCurvature, IsNothingWhereTheHessianIsPositiveDefinite) {
   const Mat2 J = Mat2::Identity();
-  EXPECT_FALSE(negative_curvature(find_density("symmetric-dirichlet")->derivatives(J), J));
+  const DensityDerivatives d = find_density("symmetric-dirichlet")->derivatives(J);
+  EXPECT_TRUE(Curvature<double>(d, matrix2(J)).is_positive());
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include "core/energy/barrier.h"
 #include "core/energy/conformal_square.h"
 #include "core/energy/densities.h"
-#include "core/energy/determinant.h"
 #include "tests/support/dense_derivatives.h"
 #include "tests/support/finite_difference.h"
 
@@ -49,7 +48,7 @@ TEST_P(DensityTest, DerivativesAgreeWithFiniteDifferencesNearDegenerateToo) {
       SCOPED_TRACE(testing::Message() << "trial " << trial << ", smallest " << smallest);
       const DensityDerivatives d = density.derivatives(J);
       const Eigen::Vector4d expected_gradient = test::dense_gradient(d, J);
-      const double h = 1e-2 * std::min(determinant(J) / J.norm(), 1.0);
+      const double h = 1e-2 * std::min(J.determinant() / J.norm(), 1.0);
       const Eigen::MatrixXd gradient = test::finite_difference(
           [&](const Eigen::VectorXd& x) {
             return Eigen::VectorXd::Constant(1, density.value(matrix_of(x)));
@@ -97,7 +96,12 @@ INSTANTIATE_TEST_SUITE_P(Densities, DensityTest,
                          });
 
 INSTANTIATE_TEST_SUITE_P(ConformalSquare, DensityTest,
-                         testing::Values(Density{"conformal-square", "", "", 0, false,
+                         testing::Values(Density{"conformal-square",
+                                                 "",
+                                                 "",
+                                                 0,
+                                                 false,
+                                                 {},
                                                  conformal_square_value,
                                                  conformal_square_derivatives}));
 
@@ -121,7 +125,7 @@ TEST(Barrier, DerivativesAgreeWithFiniteDifferencesUpToTheWall) {
     for (const double x : {1e-6, 1e-4, 1e-2, 0.2, 0.7, 0.95}) {
       SCOPED_TRACE(testing::Message() << "delta " << delta << ", x " << x);
       const double det = delta + x * (1 - delta);
-      const BarrierDerivatives d = barrier_derivatives(det, delta);
+      const BarrierDerivatives<double> d = barrier_derivatives(det, delta);
       const double h = 1e-2 * std::min(x, 1 - x);
       const auto along = [&](auto f) {
         return test::finite_difference(
@@ -136,15 +140,15 @@ TEST(Barrier, DerivativesAgreeWithFiniteDifferencesUpToTheWall) {
 }
 
 TEST(Barrier, IsZeroBeyondTheRestAreaAndInfiniteAtTheBound) {
-  EXPECT_EQ(barrier_value(1, 0.1), 0);
-  EXPECT_EQ(barrier_value(3, 0.1), 0);
+  EXPECT_EQ(barrier_value(1.0, 0.1), 0);
+  EXPECT_EQ(barrier_value(3.0, 0.1), 0);
   EXPECT_TRUE(std::isinf(barrier_value(0.1, 0.1)));
-  EXPECT_TRUE(std::isinf(barrier_value(-1, 0.1)));
+  EXPECT_TRUE(std::isinf(barrier_value(-1.0, 0.1)));
   EXPECT_TRUE(std::isinf(barrier_value(std::nan(""), 0.1)));
 }
 
 TEST(Barrier, IsTwiceContinuouslyDifferentiableWhereItEnds) {
-  const BarrierDerivatives d = barrier_derivatives(1 - 1e-9, 1e-3);
+  const BarrierDerivatives<double> d = barrier_derivatives(1 - 1e-9, 1e-3);
   EXPECT_NEAR(d.value, 0, 1e-12);
   EXPECT_NEAR(d.first, 0, 1e-12);
   EXPECT_NEAR(d.second, 0, 1e-7);

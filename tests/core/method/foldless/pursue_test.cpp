@@ -90,7 +90,7 @@ TEST(Pursue, ADragThatNeverRestsEndsAtTheSameEnergyAsOneThatDoes) {
 }
 
 /// A bar with its left end held and the corners of its right end bent upwards, under ARAP.
-Problem bent_bar() {
+Problem bar_bent_upwards() {
   const Shape shape = bar(4, 1, 10);
   Problem problem{MeshPair(shape.triangles, shape.rest), find_density("arap"), {}, {}};
   for (int v = 0; v < shape.rest.cols(); ++v) {
@@ -107,7 +107,7 @@ Problem bent_bar() {
 
 // With all of the barriers in its first step a drag would begin with a jerk.
 TEST(Pursue, ADragThatBeginsAtRestBeginsWithTheShapeThatIsThere) {
-  const Problem problem = bent_bar();
+  const Problem problem = bar_bent_upwards();
   Foldless method(problem);
   while (method.step({})) {
   }

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/energy/element_loops.h"
+
+namespace foldless {
+
+const ElementLoops& element_loops(DensityKind kind) {
+  const ElementLoops* avx2 = avx2_element_loops(kind);
+  return avx2 ? *avx2 : plain_element_loops(kind);
+}
+
+}  // namespace foldless
