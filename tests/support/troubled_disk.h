@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <fstream>
 #include <string>
+#include <system_error>
 #include <utility>
 
+#include "tests/support/entries_below.h"
 #include "tests/support/temporary_folder.h"
 
 namespace foldless::test {
@@ -64,8 +66,10 @@ class TroubledDisk {
   /// Folders and what is in them, but not files: those are replaced, not written to.
   void permit(std::filesystem::perms permissions) const {
     std::filesystem::permissions(path(), permissions);
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path()))
-      if (entry.is_directory()) std::filesystem::permissions(entry.path(), permissions);
+    std::error_code gone;
+    for (const auto& entry : entries_below(path()))
+      if (std::filesystem::is_directory(entry, gone))
+        std::filesystem::permissions(entry, permissions, gone);
   }
 
   static void limit_files(rlim_t bytes) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/editor/autosave_fixture.h"
+#include "tests/support/entries_below.h"
 
 namespace foldless::test {
 namespace {
@@ -161,8 +162,8 @@ TEST_F(AutosaveTest, AnUnreadableCopyGivesWayToTheOneBefore) {
   settle();
   pass(61);
   wait_for_copies(2);
-  for (const auto& entry : fs::recursive_directory_iterator(root()))
-    if (entry.path().filename() == "000002.json") std::ofstream(entry.path()) << "{";
+  for (const fs::path& entry : entries_below(root()))
+    if (entry.filename() == "000002.json") std::ofstream(entry) << "{";
   start();
   find_lost_work();
   ASSERT_TRUE(editor_->files().recovery().work());
@@ -178,8 +179,8 @@ TEST_F(AutosaveTest, AnUnreadableCopyGivesWayToTheOneBefore) {
 TEST_F(AutosaveTest, WhereNoCopyCanBeReadThatIsSaid) {
   pose();
   crash();
-  for (const auto& entry : fs::recursive_directory_iterator(root()))
-    if (entry.path().filename() == "000001.json") std::ofstream(entry.path()) << "{";
+  for (const fs::path& entry : entries_below(root()))
+    if (entry.filename() == "000001.json") std::ofstream(entry) << "{";
   find_lost_work();
   ASSERT_TRUE(editor_->files().recovery().is_open());
   EXPECT_NE(editor_->files().recovery().problem().find("000001.json"), std::string::npos);

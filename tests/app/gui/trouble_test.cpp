@@ -16,6 +16,7 @@
 #include "core/files/atomic_file.h"
 #include "core/mesh/generate.h"
 #include "tests/app/gui/headless_editor.h"
+#include "tests/support/entries_below.h"
 #include "tests/support/errors.h"
 #include "tests/support/troubled_disk.h"
 
@@ -75,11 +76,8 @@ class Troubled : public testing::Test {
   /// Of unsaved work, whole or half written.
   std::set<std::string> copies() const {
     std::set<std::string> copies;
-    std::error_code none;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(disk_ / "state/autosave", none))
-      if (entry.path().string().find(".json") != std::string::npos)
-        copies.insert(entry.path().string());
+    for (const std::string& entry : entries_below(disk_ / "state/autosave"))
+      if (entry.find(".json") != std::string::npos) copies.insert(entry);
     return copies;
   }
   /// The last copy failed, and none is being written.
