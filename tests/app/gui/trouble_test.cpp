@@ -76,8 +76,8 @@ class Troubled : public testing::Test {
   /// Of unsaved work, whole or half written.
   std::set<std::string> copies() const {
     std::set<std::string> copies;
-    for (const std::string& entry : entries_below(disk_ / "state/autosave"))
-      if (entry.find(".json") != std::string::npos) copies.insert(entry);
+    for (const std::filesystem::path& entry : entries_below(disk_ / "state/autosave"))
+      if (entry.string().find(".json") != std::string::npos) copies.insert(entry.string());
     return copies;
   }
   /// The last copy failed, and none is being written.
