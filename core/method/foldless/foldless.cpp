@@ -14,6 +14,7 @@
 #include "core/method/foldless/common_motion.h"
 #include "core/method/foldless/construct.h"
 #include "core/method/foldless/go_back.h"
+#include "core/method/foldless/hop.h"
 #include "core/method/foldless/infeasible.h"
 #include "core/method/foldless/inner_run.h"
 #include "core/method/foldless/legs.h"
@@ -39,7 +40,7 @@ constexpr int kWaysWhenCrushed = 6;
 
 /// Of a mesh of at most kLargestWithCandidates triangles,
 /// other candidates are tried where σ₁/σ₂ of one is above this,
-constexpr double kSuspiciousDistortion = 50;
+constexpr double kSuspiciousDistortion = 100;
 
 /// Vertices that came with the original mesh stay, and so do those before a handle, whose indices
 /// must not change.
@@ -142,6 +143,7 @@ Steps<Outcome> Foldless::solve(Start start) {
 
   co_await tidy(work_);
   if (is_drag) co_await forget_the_way();
+  if (!is_drag) co_await hop(work_);
   if (!is_drag) co_await try_candidates();
   if (!goes_on) co_await uncrush(ways);
   co_return Outcome::gradient;

@@ -73,7 +73,7 @@ TEST(Candidates, NoneHasLessEnergyAndNoMoreDistortionThanAPoorShapeThatStays) {
     Foldless method(problem);
     while (method.step({})) {
     }
-    if (method.outcome() != Outcome::gradient || largest_distortion(method.mesh()) <= 50) continue;
+    if (method.outcome() != Outcome::gradient || largest_distortion(method.mesh()) <= 100) continue;
     const OwnWorkspace end = workspace_for(problem, method.mesh());
     for (int i = 0; i < kCandidates; ++i) {
       OwnWorkspace other = workspace_for(problem, problem.mesh);
