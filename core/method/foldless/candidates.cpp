@@ -17,6 +17,8 @@ namespace candidates {
 constexpr double kLower = 0.999;
 /// A lower E_d is worth so many times the largest σ₁/σ₂.
 constexpr double kMoreDistorted = 1.5;
+/// Where σ₁/σ₂ of a triangle is above this another way often ends in a better shape.
+constexpr double kSuspiciousDistortion = 100;
 constexpr int kFewLegs = 2;
 constexpr int kManyLegs = 8;
 
@@ -37,6 +39,27 @@ Steps<Progress> candidate(int which, Workspace& work) {
   if (which == 1)
     return transport(work, transport_plans(work.handles(), work.constraints.targets, 0).front());
   return approach(work, FactorUse::lagged, straight_legs(work, which == 0 ? kFewLegs : kManyLegs));
+}
+
+Steps<> try_candidates(Workspace& work, const MeshPair& start) {
+  if (start.face_count() > kLargestWithCandidates ||
+      largest_distortion(work.mesh) <= candidates::kSuspiciousDistortion)
+    co_return;
+  const double most_distortion = most_distortion_beside(work.mesh);
+  bool has_changed = false;
+  for (int i = 0; i < kCandidates; ++i) {
+    Workspace other = work;
+    other.set_mesh(start);
+    const auto progress =
+        co_await within(kMostOfACandidate, work.system.effort(), candidate(i, other));
+    if (progress != Progress::arrived) continue;
+    co_await tidy(other);
+    if (largest_distortion(other.mesh) > most_distortion || !has_less_energy(other, work)) continue;
+    work = std::move(other);
+    has_changed = true;
+  }
+  if (has_changed) co_await tidy(work);
+  co_yield [&work](Iteration& last) { work.measure_again(last, work.held_energy()); };
 }
 
 Steps<std::optional<Progress>> within(int most_factorizations, const Effort& effort,

@@ -20,6 +20,10 @@ inline constexpr int kLargestWithCandidates = 3000;
 /// approach in eight.
 Steps<Progress> candidate(int which, Workspace& work);
 
+/// All of them from a mesh, where the largest σ₁/σ₂ is above 100 and the mesh not too large; one
+/// with less E_d, within most_distortion_beside() the first, takes the place.
+Steps<> try_candidates(Workspace& work, const MeshPair& start);
+
 /// Takes steps until they have ended, or taken so many factorizations: nothing then.
 Steps<std::optional<Progress>> within(int most_factorizations, const Effort& effort,
                                       Steps<Progress> steps);

@@ -38,10 +38,6 @@ constexpr int kLargestUncrushed = 2000;
 /// so many other ways are tried where triangles are crushed.
 constexpr int kWaysWhenCrushed = 6;
 
-/// Of a mesh of at most kLargestWithCandidates triangles,
-/// other candidates are tried where σ₁/σ₂ of one is above this,
-constexpr double kSuspiciousDistortion = 100;
-
 /// Vertices that came with the original mesh stay, and so do those before a handle, whose indices
 /// must not change.
 int first_removable_vertex(const Problem& problem) {
@@ -142,10 +138,12 @@ Steps<Outcome> Foldless::solve(Start start) {
   }
 
   co_await tidy(work_);
-  if (is_drag) co_await forget_the_way();
-  if (!is_drag) co_await hop(work_);
-  if (!is_drag) co_await try_candidates();
-  if (!goes_on) co_await uncrush(ways);
+  if (is_drag)
+    co_await forget_the_way();
+  else if (goes_on)
+    co_await try_candidates(work_, problem_.mesh);
+  else
+    co_await look_for_better(ways);
   co_return Outcome::gradient;
 }
 
@@ -231,27 +229,14 @@ Steps<Progress> Foldless::split_and_approach(FactorUse use) {
   co_return Progress::locked;
 }
 
-// Where a triangle is that distorted another way often ends in a better shape; the best one stays.
-Steps<> Foldless::try_candidates() {
-  using namespace driver;
-  if (problem_.mesh.face_count() > kLargestWithCandidates ||
-      largest_distortion(work_.mesh) <= kSuspiciousDistortion)
-    co_return;
-  const double most_distortion = most_distortion_beside(work_.mesh);
-  bool has_changed = false;
-  for (int i = 0; i < kCandidates; ++i) {
-    Workspace other = work_;
-    other.set_mesh(problem_.mesh);
-    const auto progress = co_await within(kMostOfACandidate, effort(), candidate(i, other));
-    if (progress != Progress::arrived) continue;
-    co_await tidy(other);
-    if (largest_distortion(other.mesh) > most_distortion || !has_less_energy(other, work_))
-      continue;
-    work_ = std::move(other);
-    has_changed = true;
-  }
-  if (has_changed) co_await tidy(work_);
-  co_yield [this](Iteration& last) { work_.measure_again(last, work_.held_energy()); };
+// Other ways from rest lead farther from a crushed mesh than hops, so they come first there. Not
+// of a mesh that goes on from another, which is the next picture of a film: it would jump.
+Steps<> Foldless::look_for_better(OtherWays& ways) {
+  const bool was_crushed = is_crushed(work_.mesh);
+  if (!was_crushed) co_await hop(work_);
+  co_await try_candidates(work_, problem_.mesh);
+  co_await uncrush(ways);
+  if (was_crushed) co_await hop(work_);
 }
 
 // Where triangles are crushed another way, from rest, may end in a better mesh; the best one stays.

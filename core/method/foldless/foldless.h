@@ -51,7 +51,7 @@ class Foldless final : public SteppedMethod {
   Steps<Progress> solve_whitened();
   Steps<Progress> split_and_approach(FactorUse use);
   Steps<> forget_the_way();
-  Steps<> try_candidates();
+  Steps<> look_for_better(OtherWays& ways);
   Steps<> uncrush(OtherWays& ways);
   bool split_at_handles();
   bool is_proved_infeasible();
