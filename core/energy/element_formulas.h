@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+
 #include "core/energy/barrier.h"
 #include "core/energy/clamp.h"
 #include "core/energy/conformal_square.h"

@@ -232,6 +232,7 @@ Steps<Progress> Foldless::split_and_approach(FactorUse use) {
 // Other ways from rest lead farther from a crushed mesh than hops, so they come first there. Not
 // of a mesh that goes on from another, which is the next picture of a film: it would jump.
 Steps<> Foldless::look_for_better(OtherWays& ways) {
+  if (problem_.mesh.face_count() > kLargestWithCandidates) co_return;
   const bool was_crushed = is_crushed(work_.mesh);
   if (!was_crushed) co_await hop(work_);
   co_await try_candidates(work_, problem_.mesh);
