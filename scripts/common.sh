@@ -85,8 +85,9 @@ build() {
   cmake --build "$project_dir/build/$1" ${2:+--target "$2"}
 }
 
-# run_tests PRESET: runs the tests of a preset on all cores, with the output of those that fail.
+# run_tests PRESET: runs the tests of a preset on all cores, with the output of those that fail. One
+# more than there are cores: many wait for windows and other processes.
 run_tests() {
   say "testing build/$1"
-  (cd "$project_dir" && ctest --preset "$1" --parallel "$(nproc)")
+  (cd "$project_dir" && ctest --preset "$1" --parallel "$(($(nproc) + 1))")
 }

@@ -236,7 +236,7 @@ class DocumentFaults : public testing::Test {
       for (int n = 1; bears(program, kind + ':' + std::to_string(n) + ":kill", look); ++n)
         counts.last(kind);
     for (long n = 1; bears(program, memory_fault(n), look);
-         n = all ? next_memory_fault(n) : wanted.next(n))
+         n = all ? next_of_many(n) : wanted.next(n))
       counts.failed("new");
     for (const std::string& kind : wanted.fails) EXPECT_TRUE(counts.has_failed(kind)) << kind;
     for (const std::string& kind : wanted.ends) EXPECT_TRUE(counts.has_been_last(kind)) << kind;

@@ -5,6 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -43,6 +45,25 @@ namespace {
   ::_exit(127);
 }
 
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+std::string without_numbers(std::string text) {
+  std::erase_if(text, is_digit);
+  return text;
+}
+
+/// `a/.b.foldless-XyZ123` as `a/.b.foldless-`.
+std::string without_random_letters(const std::string& path) {
+  constexpr std::string_view kBefore = ".foldless-";
+  constexpr std::size_t kLetters = 6;
+  const std::size_t at = path.rfind(kBefore);
+  const bool is_temporary =
+      at != path.npos && path.size() == at + kBefore.size() + kLetters &&
+      std::ranges::all_of(path.substr(at + kBefore.size()),
+                          [](unsigned char c) { return std::isalnum(c) != 0; });
+  return is_temporary ? path.substr(0, at + kBefore.size()) : path;
+}
+
 std::string_view wanted_faults() {
   const char* wanted = std::getenv("FOLDLESS_FAULTS");
   return wanted ? wanted : "";
@@ -72,7 +93,7 @@ std::string memory_fault(long n) {
   return (wanted_faults() == "places" ? "place:" : "new:") + std::to_string(n);
 }
 
-long next_memory_fault(long n) { return wants_all_faults() ? n + 1 : n + 1 + n / 4; }
+long next_of_many(long n) { return wants_all_faults() ? n + 1 : n + 1 + n / 4; }
 
 FaultCounts::~FaultCounts() {
   for (const auto& [kind, count] : counts_)
@@ -117,6 +138,13 @@ void write_files(const fs::path& folder, const Files& files) {
     fs::create_directories((folder / name).parent_path());
     write_file_atomically(folder / name, bytes);
   }
+}
+
+bool FolderStates::is_new(const Files& files) {
+  Files state;
+  for (const auto& [name, bytes] : files)
+    state[without_random_letters(name)] = without_numbers(bytes);
+  return seen_.insert(std::move(state)).second;
 }
 
 }  // namespace foldless::test

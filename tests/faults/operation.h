@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,10 @@ Faulted run_other_with_fault(const std::string& program, const std::vector<std::
 /// Whether FOLDLESS_FAULTS asks for every fault: `places`, but of the allocations that the same
 /// calls lead to the first only; `all`, those too, which takes hours.
 bool wants_all_faults();
-/// The fault of the n-th allocation, or place, and the n after it: by default a quarter more.
+/// The fault of the n-th allocation, or place.
 std::string memory_fault(long n);
-long next_memory_fault(long n);
+/// The n after it of faults of which there are many: by default a quarter more.
+long next_of_many(long n);
 
 /// Counts the faults of a test by their kinds, and tells them in the log at its end.
 class FaultCounts {
@@ -66,5 +68,16 @@ void run_and_kill(const std::vector<std::string>& arguments, std::chrono::micros
 using Files = std::map<std::string, std::string>;
 Files files_in(const std::filesystem::path& folder);
 void write_files(const std::filesystem::path& folder, const Files& files);
+
+/// The states in which a folder was left. Times that files tell of and the letters that end the
+/// names of temporary files make no other state of it.
+class FolderStates {
+ public:
+  /// False from the second time on.
+  bool is_new(const Files& files);
+
+ private:
+  std::set<Files> seen_;
+};
 
 }  // namespace foldless::test
