@@ -59,8 +59,10 @@ std::optional<FigureOptions> figure_of(const SolveCall& call, const Scene& scene
 /// Does the task and adds its processor time to `seconds`.
 template <typename Task>
 auto timed(double& seconds, const Task& task) {
-  const StageTimer timer(seconds);
-  return task();
+  const double start = thread_seconds();
+  auto result = task();
+  seconds += thread_seconds() - start;
+  return result;
 }
 
 /// What is left of a limit; both in processor seconds.

@@ -32,9 +32,10 @@ class BoundedConformal final : public SteppedMethod {
   std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return mesh_; }
   void set_targets(const Points& targets) override;
-  StageTimes times() const override { return system_.solver.times(); }
 
  private:
+  StageTimes stage_times() const override { return system_.solver.times(); }
+
   /// One program's end: a map, or why there is none.
   struct Trial {
     ConeStatus status = ConeStatus::cancelled;

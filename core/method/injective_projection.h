@@ -26,9 +26,10 @@ class InjectiveProjection final : public SteppedMethod {
   std::string verdict() const override { return verdict_; }
   const MeshPair& mesh() const override { return mesh_; }
   void set_targets(const Points& targets) override;
-  StageTimes times() const override { return system_.solver.times(); }
 
  private:
+  StageTimes stage_times() const override { return system_.solver.times(); }
+
   /// A map that is asked of a program.
   struct Trial {
     ConeStatus status = ConeStatus::cancelled;

@@ -13,6 +13,7 @@ void SteppedMethod::begin(Steps<Outcome> steps) {
 std::optional<Iteration> SteppedMethod::step(const std::stop_token& token) {
   if (!steps_ || outcome_ || token.stop_requested()) return std::nullopt;
   const double start = thread_seconds();
+  const StageTimer wall(wall_seconds_);
   context_.record.reset();
   // A relaxation that has nothing to do is a request without a record; so are a coarse mesh and its
   // map, after which the first update of a large mesh is far.
@@ -24,6 +25,10 @@ std::optional<Iteration> SteppedMethod::step(const std::stop_token& token) {
   seconds_ += thread_seconds() - start;
   if (context_.record) context_.record->seconds = seconds_;
   return context_.record;
+}
+
+StageTimes SteppedMethod::times() const {
+  return wall_seconds_ > 0 ? seconds_ / wall_seconds_ * stage_times() : StageTimes();
 }
 
 void SteppedMethod::see_whether_ended() {

@@ -14,7 +14,8 @@ class SteppedMethod : public Method {
  public:
   std::optional<Iteration> step(const std::stop_token& token) final;
   std::optional<Outcome> outcome() const final { return outcome_; }
-  StageTimes times() const override { return effort_.times; }
+  /// The stages by the clock on the wall, times the part of it that was the thread's.
+  StageTimes times() const final;
   /// All that it has spent so far.
   const Effort& spent() const { return effort_; }
 
@@ -25,13 +26,16 @@ class SteppedMethod : public Method {
   Effort& effort() { return effort_; }
 
  private:
+  /// By the clock on the wall.
+  virtual StageTimes stage_times() const { return effort_.times; }
   void see_whether_ended();
 
   Effort effort_;
   StepContext context_;
   std::optional<Steps<Outcome>> steps_;
   std::optional<Outcome> outcome_;
-  double seconds_ = 0;
+  double seconds_ = 0;       ///< of the thread
+  double wall_seconds_ = 0;  ///< that passed meanwhile
 };
 
 }  // namespace foldless

@@ -13,10 +13,11 @@ namespace foldless::test {
 /// What the steps of a test do and say.
 struct Script {
   std::vector<std::string> said;
-  int made = 0;        ///< updates
-  int cancelled = 0;   ///< times that an update was
-  int cancels = 0;     ///< so many updates from now on are cancelled
-  bool fails = false;  ///< the next update throws
+  int made = 0;             ///< updates
+  int cancelled = 0;        ///< times that an update was
+  int cancels = 0;          ///< so many updates from now on are cancelled
+  bool fails = false;       ///< the next update throws
+  double* stage = nullptr;  ///< that updates are timed as, where a test does so
   std::stop_source stop;
   int stops_at = 0;  ///< the update of this number requests it, as a signal that comes meanwhile
 
@@ -67,6 +68,7 @@ class ScriptedMethod final : public SteppedMethod {
   }
   const MeshPair& mesh() const override { return mesh_; }
   void set_targets(const Points&) override { begin(steps_(script_)); }
+  using SteppedMethod::effort;
 
  private:
   Script& script_;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "tests/core/method/scripted_method.h"
 
 namespace foldless {
@@ -219,6 +222,26 @@ TEST(SteppedMethod, TheSecondsOfRecordsNeverGoBack) {
     EXPECT_GE(record->seconds, seconds + 1e-4) << "they add up, whatever began anew";
     seconds = record->seconds;
   }
+}
+
+TEST(SteppedMethod, OfAStageThatWaitsOnlyTheShareOfItsStepIsProcessorTime) {
+  Script script;
+  ScriptedMethod method(script, [](Script& s) -> Steps<Outcome> {
+    const auto next = [&s](std::stop_token) {
+      const StageTimer timer(*s.stage);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      return s.update();
+    };
+    co_yield record_of(co_await vertex_update(next));
+    co_return Outcome::gradient;
+  });
+  script.stage = &method.effort().times.solve;
+  EXPECT_EQ(method.times().total(), 0);
+  const auto record = method.step({});
+  EXPECT_GE(method.effort().times.solve, 2e-3) << "by the clock on the wall";
+  EXPECT_GT(method.times().solve, 0);
+  EXPECT_LE(method.times().solve, record->seconds);
+  EXPECT_EQ(method.times().total(), method.times().solve);
 }
 
 TEST(SteppedMethod, WhatAnUpdateThrowsComesOutOfTheStepAndTheUpdateCanBeMadeAgain) {
