@@ -7,8 +7,7 @@ function(foldless_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wredundant-decls
-                         $<$<COMPILE_LANGUAGE:CXX>:-Wsuggest-override>
-                         $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wzero-as-null-pointer-constant>)
+                         $<$<COMPILE_LANGUAGE:CXX>:-Wsuggest-override>)
   if(FOLDLESS_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
