@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <random>
+#include <set>
 
 #include "core/files/atomic_file.h"
 #include "tests/faults/operation.h"
@@ -63,7 +64,7 @@ class Export {
     run_and_kill(arguments(), time);
     const Files files = files_in(out());
     expect_whole(files);
-    if (left_.is_new(files)) expect_done_by_the_next();
+    if (left_.insert(files).second) expect_done_by_the_next();
   }
 
   std::string fault_of_full_disk() {
@@ -118,7 +119,7 @@ class Export {
     if (!run(fault).has_happened) return false;
     const Files files = files_in(out());
     expect_whole(files);
-    if (left_.is_new(files)) expect_done_by_the_next();
+    if (left_.insert(files).second) expect_done_by_the_next();
     return true;
   }
 
@@ -149,7 +150,7 @@ class Export {
   TemporaryFolder notes_;
   std::string main_;
   Files earlier_, newer_;
-  FolderStates left_;  ///< by exports that were killed
+  std::set<Files> left_;  ///< by exports that were killed
 };
 
 using KindsOfCalls = std::vector<const char*>;
@@ -161,8 +162,9 @@ void expect_it_bears(const KindsOfCalls& kinds, const std::string& main) {
   for (const char* kind : kinds) result.bears(kind, counts);
   if (wants_all_faults()) result.bears_little_memory(counts);
   std::cout << main << ":\n";
-  EXPECT_GE(counts.all_failed(), std::min<int>(static_cast<int>(kinds.size()), 4));
-  EXPECT_GE(counts.all_last(), std::min<int>(static_cast<int>(kinds.size()), 4));
+  const int least = std::min(4, static_cast<int>(kinds.size()));
+  EXPECT_GE(counts.all_failed(), least);
+  EXPECT_GE(counts.all_last(), least);
 }
 void expect_it_bears_everything(const std::string& main) { expect_it_bears(kAllKinds, main); }
 

@@ -5,8 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -43,25 +41,6 @@ namespace {
   words.push_back(nullptr);
   ::execv(program.c_str(), words.data());
   ::_exit(127);
-}
-
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-std::string without_numbers(std::string text) {
-  std::erase_if(text, is_digit);
-  return text;
-}
-
-/// `a/.b.foldless-XyZ123` as `a/.b.foldless-`.
-std::string without_random_letters(const std::string& path) {
-  constexpr std::string_view kBefore = ".foldless-";
-  constexpr std::size_t kLetters = 6;
-  const std::size_t at = path.rfind(kBefore);
-  const bool is_temporary =
-      at != path.npos && path.size() == at + kBefore.size() + kLetters &&
-      std::ranges::all_of(path.substr(at + kBefore.size()),
-                          [](unsigned char c) { return std::isalnum(c) != 0; });
-  return is_temporary ? path.substr(0, at + kBefore.size()) : path;
 }
 
 std::string_view wanted_faults() {
@@ -138,13 +117,6 @@ void write_files(const fs::path& folder, const Files& files) {
     fs::create_directories((folder / name).parent_path());
     write_file_atomically(folder / name, bytes);
   }
-}
-
-bool FolderStates::is_new(const Files& files) {
-  Files state;
-  for (const auto& [name, bytes] : files)
-    state[without_random_letters(name)] = without_numbers(bytes);
-  return seen_.insert(std::move(state)).second;
 }
 
 }  // namespace foldless::test

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -68,16 +67,5 @@ void run_and_kill(const std::vector<std::string>& arguments, std::chrono::micros
 using Files = std::map<std::string, std::string>;
 Files files_in(const std::filesystem::path& folder);
 void write_files(const std::filesystem::path& folder, const Files& files);
-
-/// The states in which a folder was left. Times that files tell of and the letters that end the
-/// names of temporary files make no other state of it.
-class FolderStates {
- public:
-  /// False from the second time on.
-  bool is_new(const Files& files);
-
- private:
-  std::set<Files> seen_;
-};
 
 }  // namespace foldless::test
