@@ -2,12 +2,11 @@
 #include "app/gui/canvas_overlay.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string>
 
 #include "app/editor/picking.h"
 #include "app/gui/canvas_brush.h"
+#include "app/gui/short_text.h"
 #include "app/gui/side_dialog.h"
 #include "app/gui/widgets.h"
 #include "core/mesh/triangle.h"
@@ -32,12 +31,6 @@ void draw_lasso(const std::vector<Vec2>& line, const CanvasBrush& brush, const L
   brush.list.AddPolyline(points.data(), count, IM_COL32_BLACK, ImDrawFlags_Closed, look.px(1));
 }
 
-std::string short_number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
-
 void draw_distances(const Editor& editor, const CanvasBrush& brush, const Look& look) {
   for (const HandleView& handle : handle_views(editor.draft())) {
     if (handle.is_at_target) continue;
@@ -45,7 +38,7 @@ void draw_distances(const Editor& editor, const CanvasBrush& brush, const Look& 
     const Vec2 position = editor.canvas().to_pixel(handle.position);
     if ((target - position).norm() < 12 * editor.canvas().ui_scale) continue;
     const ImVec2 place = brush.at(target);
-    draw_plate(short_number(handle.residual), {place.x, place.y - look.px(20)}, brush, look);
+    draw_plate(short_number(handle.residual, 3), {place.x, place.y - look.px(20)}, brush, look);
   }
 }
 
@@ -83,8 +76,8 @@ void draw_heat_notes(Editor& editor, const PanelContext& context, const CanvasBr
   const ImVec2 place = brush.at(editor.canvas().to_pixel(centroid(snapshot, triangle)));
   brush.list.AddCircle(place, look.px(9), IM_COL32_BLACK, 0, look.px(3.4F));
   brush.list.AddCircle(place, look.px(9), IM_COL32_WHITE, 0, look.px(1.6F));
-  draw_plate("max " + short_number(state.heat_range->max), {place.x, place.y + look.px(22)}, brush,
-             look);
+  draw_plate("max " + short_number(state.heat_range->max, 3), {place.x, place.y + look.px(22)},
+             brush, look);
 }
 
 /// What the stiffness brush covers where the pointer is.

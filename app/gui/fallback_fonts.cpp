@@ -17,7 +17,7 @@ struct Destroyer {
   }
 };
 using Charset = std::unique_ptr<FcCharSet, Destroyer<FcCharSetDestroy>>;
-using Pattern = std::unique_ptr<FcPattern, Destroyer<FcPatternDestroy>>;
+using FontPattern = std::unique_ptr<FcPattern, Destroyer<FcPatternDestroy>>;
 using Config = std::unique_ptr<FcConfig, Destroyer<FcConfigDestroy>>;
 
 /// Takes the characters that a font has out of `missing`.
@@ -32,10 +32,10 @@ std::set<char32_t> take_covered(FcPattern* font, std::set<char32_t>& missing) {
 }
 
 /// The outline font of the system that has the most of the characters, or null.
-Pattern best_of_system(FcConfig* config, const std::set<char32_t>& missing) {
+FontPattern best_of_system(FcConfig* config, const std::set<char32_t>& missing) {
   const Charset charset(FcCharSetCreate());
   for (const char32_t character : missing) FcCharSetAddChar(charset.get(), character);
-  const Pattern wanted(FcPatternCreate());
+  const FontPattern wanted(FcPatternCreate());
   FcPatternAddCharSet(wanted.get(), FC_CHARSET, charset.get());
   FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
   FcPatternAddBool(wanted.get(), FC_OUTLINE, FcTrue);
@@ -43,7 +43,7 @@ Pattern best_of_system(FcConfig* config, const std::set<char32_t>& missing) {
   FcConfigSubstitute(config, wanted.get(), FcMatchPattern);
   FcDefaultSubstitute(wanted.get());
   FcResult result = FcResultNoMatch;
-  return Pattern(FcFontMatch(config, wanted.get(), &result));
+  return FontPattern(FcFontMatch(config, wanted.get(), &result));
 }
 
 /// False for fonts whose glyphs are pictures: a match is the nearest there is.
@@ -61,7 +61,7 @@ std::vector<FallbackFont> fonts_for(std::set<char32_t> characters,
   std::vector<FallbackFont> fonts;
   for (const auto& file : own) {
     int faces = 0;
-    const Pattern font(
+    const FontPattern font(
         FcFreeTypeQuery(reinterpret_cast<const FcChar8*>(file.c_str()), 0, nullptr, &faces));
     auto covered = take_covered(font.get(), characters);
     if (!covered.empty()) fonts.push_back({file, 0, std::move(covered)});
@@ -70,7 +70,7 @@ std::vector<FallbackFont> fonts_for(std::set<char32_t> characters,
   // A configuration of our own leaves nothing behind when it goes.
   const Config config(FcInitLoadConfigAndFonts());
   while (config && !characters.empty()) {
-    const Pattern font = best_of_system(config.get(), characters);
+    const FontPattern font = best_of_system(config.get(), characters);
     FcChar8* file = nullptr;
     int index = 0;
     if (!font || !has_outlines(font.get()) ||
