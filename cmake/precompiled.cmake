@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Precompiled headers: what most units include is parsed once and not once a unit, where it would be
-# most of the work. foldless_headers serves the libraries, foldless_app_headers those with options of
-# their own (FOLDLESS_APP_OPTIONS), foldless_test_headers the tests. A file still includes what it uses.
+# most of the work. foldless_headers serves the libraries, foldless_test_headers the tests. A file
+# still includes what it uses.
 
 # Only a target of the same options can use them: libraries that see CGAL (-frounding-math) can't.
 function(foldless_precompiled_headers name)
@@ -20,11 +20,6 @@ endfunction()
 
 foldless_precompiled_headers(foldless_headers)
 foldless_relocatable(foldless_headers)
-if(FOLDLESS_APP_OPTIONS)
-  foldless_precompiled_headers(foldless_app_headers)
-  foldless_relocatable(foldless_app_headers)
-  target_compile_options(foldless_app_headers PRIVATE ${FOLDLESS_APP_OPTIONS})
-endif()
 foldless_precompiled_headers(foldless_test_headers <gtest/gtest.h>)
 target_link_libraries(foldless_test_headers PRIVATE GTest::gtest_main)
 target_compile_options(foldless_test_headers PRIVATE ${FOLDLESS_TEST_OPTIONS})

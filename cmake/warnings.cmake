@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# foldless_library(NAME [APP_OPTIONS] SOURCES...): a static library with the project's warnings and
-# include root, and with FOLDLESS_APP_OPTIONS.
+# foldless_library(NAME SOURCES...): a static library with the project's warnings and include root.
 # foldless_options(TARGET): the same options for any target.
 # foldless_relocatable(TARGET): code that a shared library can take in.
 
@@ -38,8 +37,7 @@ function(foldless_relocatable target)
 endfunction()
 
 function(foldless_library name)
-  cmake_parse_arguments(ARG APP_OPTIONS "" "" ${ARGN})
-  add_library(${name} STATIC ${ARG_UNPARSED_ARGUMENTS})
+  add_library(${name} STATIC ${ARGN})
   foldless_options(${name})
   foldless_relocatable(${name})
   if(FOLDLESS_FUZZ)
@@ -50,10 +48,5 @@ function(foldless_library name)
   if(FOLDLESS_SEPARATE_UNITS)
     set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   endif()
-  if(ARG_APP_OPTIONS AND FOLDLESS_APP_OPTIONS)
-    target_compile_options(${name} PRIVATE ${FOLDLESS_APP_OPTIONS})
-    target_precompile_headers(${name} REUSE_FROM foldless_app_headers)
-  else()
-    target_precompile_headers(${name} REUSE_FROM foldless_headers)
-  endif()
+  target_precompile_headers(${name} REUSE_FROM foldless_headers)
 endfunction()
