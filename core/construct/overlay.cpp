@@ -11,7 +11,7 @@ namespace {
 
 std::size_t slot(int index) { return static_cast<std::size_t>(index); }
 
-bool cross(const Edge& f, const Edge& s) {
+bool chords_cross(const Edge& f, const Edge& s) {
   return (f[0] < s[0] && s[0] < f[1] && f[1] < s[1]) || (s[0] < f[0] && f[0] < s[1] && s[1] < f[1]);
 }
 
@@ -27,7 +27,7 @@ class Arrangement {
     for (const Edge& chord : others) chains_[chord] = {};
     for (const Edge& f : chords)
       for (const Edge& s : others)
-        if (cross(f, s)) add_crossing(f, s);
+        if (chords_cross(f, s)) add_crossing(f, s);
     for (auto& [chord, chain] : chains_) sort(chord, chain);
     for (int i = 0; i + 1 < corners; ++i) chains_[{i, i + 1}] = {};
     chains_[{0, corners - 1}] = {};
@@ -147,7 +147,7 @@ Overlay overlay_of(int corners, const Triangles& first, const Triangles& second)
 
 int crossings_of(const Edge& chord, const std::vector<Edge>& chords) {
   return static_cast<int>(
-      std::ranges::count_if(chords, [&](const Edge& other) { return cross(chord, other); }));
+      std::ranges::count_if(chords, [&](const Edge& other) { return chords_cross(chord, other); }));
 }
 
 std::vector<Edge> chords_of(int corners, const Triangles& triangles) {
