@@ -18,20 +18,23 @@ struct TriangleQuality {
   double conformal_distortion = 0;  ///< where the area ratio is positive
 };
 
+// σ₂ from the areas: σ₁ − |σ₂| loses it to cancellation in needles.
+TriangleQuality triangle_quality(const Points& rest, const Points& deformed,
+                                 const Eigen::Vector3i& t) {
+  TriangleQuality quality{signed_area(deformed, t) / signed_area(rest, t)};
+  if (!(quality.area_ratio > 0)) return quality;
+  const double sigma1 = signed_singular_values(deformation_gradient(rest, deformed, t))[0];
+  quality.conformal_distortion = sigma1 * sigma1 / quality.area_ratio;
+  return quality;
+}
+
 std::vector<TriangleQuality> qualities_of(const Triangles& triangles, const Points& rest,
                                           const Points& deformed) {
   std::vector<TriangleQuality> all(static_cast<std::size_t>(triangles.cols()));
   constexpr std::ptrdiff_t kTogether = 2048;
   in_ranges(triangles.cols(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t i = begin; i < end; ++i) {
-      const Eigen::Vector3i t = triangles.col(i);
-      TriangleQuality& quality = all[static_cast<std::size_t>(i)];
-      // σ₂ from the areas: σ₁ − |σ₂| loses it to cancellation in needles.
-      quality.area_ratio = signed_area(deformed, t) / signed_area(rest, t);
-      if (!(quality.area_ratio > 0)) continue;
-      const double sigma1 = signed_singular_values(deformation_gradient(rest, deformed, t))[0];
-      quality.conformal_distortion = sigma1 * sigma1 / quality.area_ratio;
-    }
+    for (std::ptrdiff_t i = begin; i < end; ++i)
+      all[static_cast<std::size_t>(i)] = triangle_quality(rest, deformed, triangles.col(i));
   });
   return all;
 }
@@ -50,6 +53,10 @@ Quality quality_of(const Triangles& triangles, const Points& rest, const Points&
   }
   quality.mean_conformal_distortion = unfolded ? quality.mean_conformal_distortion / unfolded : 1;
   return quality;
+}
+
+double conformal_distortion(const Points& rest, const Points& deformed, const Eigen::Vector3i& t) {
+  return triangle_quality(rest, deformed, t).conformal_distortion;
 }
 
 double smallest_angle(const Shape& shape) {

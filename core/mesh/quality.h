@@ -16,6 +16,9 @@ struct Quality {
 /// Precondition: the mesh has a triangle, and those at rest are positive.
 Quality quality_of(const Triangles& triangles, const Points& rest, const Points& deformed);
 
+/// σ₁/σ₂ of a triangle, 0 where it is folded. Precondition: it is positive at rest.
+double conformal_distortion(const Points& rest, const Points& deformed, const Eigen::Vector3i& t);
+
 /// The smallest angle of all triangles, in degrees; 180 without any, negative when one is
 /// clockwise.
 double smallest_angle(const Shape& shape);

@@ -58,6 +58,11 @@ bool is_split_safe(const MeshPair& mesh, const EdgeSplit& split, const SplitSett
   return true;
 }
 
+bool may_split(const MeshPair& mesh, const EdgeSplit& split, const SplitSettings& settings) {
+  return !is_fixed(mesh, split.edge, settings.fixed_boundary) &&
+         is_split_safe(mesh, split, settings);
+}
+
 int split_edges(MeshPair& mesh, const std::vector<MovingDirection>& directions,
                 const SplitSettings& settings) {
   int splits = 0;
@@ -67,9 +72,7 @@ int split_edges(MeshPair& mesh, const std::vector<MovingDirection>& directions,
     // Splitting one edge renames none of the others, so the list stays good.
     for (const EdgeSplit& split : blockage->splits) {
       if (splits >= settings.most_splits) return splits;
-      if (is_fixed(mesh, split.edge, settings.fixed_boundary) ||
-          !is_split_safe(mesh, split, settings))
-        continue;
+      if (!may_split(mesh, split, settings)) continue;
       mesh.split_edge(split.edge, split.at);
       ++splits;
     }
@@ -81,8 +84,7 @@ int split_all_edges(MeshPair& mesh, const SplitSettings& settings) {
   int splits = 0;
   for (int e = 0, count = mesh.edge_count(); e < count; ++e) {
     const EdgeSplit half{e, 0.5};
-    if (is_fixed(mesh, e, settings.fixed_boundary) || !is_split_safe(mesh, half, settings))
-      continue;
+    if (!may_split(mesh, half, settings)) continue;
     mesh.split_edge(e, half.at);
     ++splits;
   }

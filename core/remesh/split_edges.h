@@ -26,6 +26,9 @@ struct SplitSettings {
 /// takes none of the new triangles out of the feasible set.
 bool is_split_safe(const MeshPair& mesh, const EdgeSplit& split, const SplitSettings& settings);
 
+/// True when it is safe, and no boundary edge between fixed vertices.
+bool may_split(const MeshPair& mesh, const EdgeSplit& split, const SplitSettings& settings);
+
 /// SplitEdges (4.4): splits, vertex by vertex, the edges that block the way of each. The map does
 /// not change and both meshes stay locally injective; new vertices are free. Returns the number of
 /// splits.

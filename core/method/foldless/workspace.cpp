@@ -5,6 +5,7 @@
 
 #include "core/method/foldless/handles_of_components.h"
 #include "core/method/record.h"
+#include "core/remesh/split_distorted.h"
 
 namespace foldless {
 namespace workspace {
@@ -65,6 +66,13 @@ int Workspace::split_edges(const std::vector<MovingDirection>& directions) {
 void Workspace::refine() {
   system.effort().splits += split_all_edges(mesh, workspace::split_settings(*settings));
   system.rebuild(mesh, constraints, mesh.edge_count());
+}
+
+int Workspace::split_distorted(double least) {
+  const int split = foldless::split_distorted(mesh, least, workspace::split_settings(*settings));
+  if (split > 0) system.rebuild(mesh, constraints, split);
+  system.effort().splits += split;
+  return split;
 }
 
 int Workspace::collapse_edges(const CollapseSettings& collapse) {

@@ -57,6 +57,9 @@ struct Workspace {
   int split_edges(const std::vector<MovingDirection>& directions);
   /// Splits every edge in its middle.
   void refine();
+  /// Splits edges of the triangles whose σ₁/σ₂ is `least` or more; returns how many. See
+  /// split_distorted() of core/remesh.
+  int split_distorted(double least);
   /// Returns how many vertices were removed; see collapse_edges() of core/remesh.
   int collapse_edges(const CollapseSettings& collapse);
   /// Takes another mesh with the same handle vertices.

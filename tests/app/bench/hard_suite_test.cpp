@@ -7,10 +7,12 @@
 #include <map>
 #include <set>
 
+#include "app/bench/bench_run.h"
 #include "core/construct/compatible_triangulation.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/winding.h"
 #include "core/method/foldless/infeasible.h"
+#include "core/method/foldless/tidy.h"
 
 namespace foldless {
 namespace {
@@ -81,6 +83,18 @@ TEST(HardSuite, ASceneIsTheSameForASeedWhateverElseIsDrawn) {
     EXPECT_EQ(again.scene.rest, scene.rest);
     EXPECT_EQ(again.scene.handles, scene.handles);
     EXPECT_NE(other.scene.handles, scene.handles);
+  }
+}
+
+TEST(HardSuite, HandlesWithoutAVertexBetweenThemCrushNoTriangle) {
+  for (const int i : {23, 58}) {
+    const BenchScene& scene = hard_scenes()[static_cast<std::size_t>(i)];
+    SCOPED_TRACE(scene.name);
+    BenchJob job{&scene, scene.scene.parameters};
+    job.parameters.method = "foldless";
+    const BenchRow row = run_job(job, {});
+    EXPECT_TRUE(row.has_reached());
+    EXPECT_LT(row.max_conformal_distortion, kCrushed);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/mesh/generate.h"
 #include "core/method/foldless/foldless.h"
 #include "core/method/foldless/workspace.h"
+#include "tests/core/method/foldless/foldless_scenes.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/random_vector.h"
 
@@ -45,6 +46,14 @@ inline OwnWorkspace workspace_of(const Problem& problem) {
   return workspace_of(problem.mesh, problem.handles);
 }
 
+/// Those of trading_places(), at rest.
+inline OwnWorkspace trading_workspace(std::uint64_t seed) {
+  const Problem problem = trading_places(seed);
+  RunSettings settings = run_settings(problem.energy, problem.mesh);
+  settings.diagonal = bounding_box_diagonal(problem.mesh.rest());
+  return {problem.mesh, constraints_of(problem.handles), std::move(settings)};
+}
+
 /// Handles on their targets in a random map, `splits` of its edges split.
 inline OwnWorkspace arrived_workspace(std::uint64_t seed, int splits = 0) {
   std::mt19937_64 random(seed);
@@ -66,8 +75,8 @@ inline OwnWorkspace arrived_workspace(std::uint64_t seed, int splits = 0) {
           std::move(settings)};
 }
 
-/// A square grid at rest whose boundary is held, with four handles inside that change places.
-inline OwnWorkspace held_frame(std::uint64_t seed) {
+/// A square grid at rest whose boundary is held, with handles inside that change places.
+inline OwnWorkspace held_frame(std::uint64_t seed, std::size_t inner_handles = 4) {
   constexpr int kSide = 7;
   std::mt19937_64 random(seed);
   const Shape shape = grid({.columns = kSide - 1, .rows = kSide - 1, .width = 0.7, .height = 0.7});
@@ -81,9 +90,10 @@ inline OwnWorkspace held_frame(std::uint64_t seed) {
   }
   for (std::size_t left = inside.size(); left > 1; --left)
     std::swap(inside[left - 1], inside[random() % left]);
-  for (std::size_t i = 0; i < 4; ++i)
-    handles.push_back(
-        {.id = inside[i], .vertex = inside[i], .target = shape.rest.col(inside[(i + 1) % 4])});
+  for (std::size_t i = 0; i < inner_handles; ++i)
+    handles.push_back({.id = inside[i],
+                       .vertex = inside[i],
+                       .target = shape.rest.col(inside[(i + 1) % inner_handles])});
   const MeshPair mesh(shape.triangles, shape.rest);
   RunSettings settings = run_settings(find_density("arap"), mesh);
   settings.fixed_boundary = boundary;

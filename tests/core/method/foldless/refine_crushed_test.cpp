@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/refine_crushed.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "core/mesh/generate.h"
+#include "core/method/foldless/cut_to_handles.h"
+#include "core/method/foldless/settle.h"
+#include "core/method/foldless/tidy.h"
+#include "tests/core/method/foldless/stage_runner.h"
+#include "tests/core/method/foldless/workspaces.h"
+#include "tests/support/valid_pair.h"
+
+namespace foldless {
+namespace {
+
+using test::OwnWorkspace;
+using test::StageRunner;
+
+TEST(RefineCrushed, GivesRoomBetweenHandlesAndIsValidWhateverIsCancelled) {
+  int cancelled = 0, crushed = 0, uncrushed = 0;
+  std::stop_source stopped;
+  stopped.request_stop();
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    OwnWorkspace own = test::held_frame(seed, 9);
+    Workspace& work = own.work;
+    const int choice = static_cast<int>(seed % 3);
+    const auto progress = test::run_to_the_end(cut_to_handles(work, KnownBoundary::held, choice));
+    if (progress != Progress::arrived) continue;
+    test::run_to_the_end(tidy(work));
+    if (!is_crushed(work.mesh)) continue;
+    const double distortion = largest_distortion(work.mesh), energy = settled_energy(work);
+    const int vertices = work.mesh.vertex_count();
+    StageRunner<void> runner(refine_crushed(work));
+    while (!runner.has_ended()) {
+      const bool stops = random() % 4 == 0;
+      if (!runner.step(stops ? stopped.get_token() : std::stop_token())) ++cancelled;
+      ASSERT_TRUE(test::is_valid(work.mesh));
+    }
+    ++crushed;
+    if (!is_crushed(work.mesh)) ++uncrushed;
+    EXPECT_EQ(work.error(), 0);
+    EXPECT_LE(largest_distortion(work.mesh), distortion);
+    EXPECT_LE(settled_energy(work), 1.5 * energy);
+    EXPECT_LE(work.mesh.vertex_count(), 2 * vertices);
+  }
+  EXPECT_GT(cancelled, 20) << "the claim would be empty";
+  EXPECT_GE(crushed, 8) << "the claim would be empty";
+  EXPECT_GE(3 * uncrushed, 2 * crushed);
+}
+
+TEST(RefineCrushed, CostsNothingWhereNothingIsCrushedOrTheMeshIsLarge) {
+  const auto splits_of_squeezed = [](int cells, double factor) {
+    const Shape shape = grid({.columns = cells, .rows = cells, .width = 1, .height = 1});
+    Points u = shape.rest;
+    u.row(1) /= factor;
+    OwnWorkspace own = test::workspace_of(MeshPair(shape.triangles, shape.rest, u),
+                                          {{.id = 0, .vertex = 0, .target = u.col(0)}});
+    StageRunner<void> runner(refine_crushed(own.work));
+    runner.run(1);
+    return own.effort.splits;
+  };
+  EXPECT_EQ(splits_of_squeezed(6, 990), 0);
+  EXPECT_GT(splits_of_squeezed(6, 1010), 0);
+  EXPECT_EQ(splits_of_squeezed(40, 1010), 0);
+}
+
+TEST(RefineCrushed, LeavesTheMeshAsItIsWhereNoEdgeMayBeSplit) {
+  // The boundary is held as a whole, and there is nothing but the boundary.
+  Triangles triangles(3, 1);
+  triangles << 0, 1, 2;
+  Points rest(2, 3), u(2, 3);
+  rest << 0, 1, 0, 0, 0, 1;
+  u << 0, 1, 0.5, 0, 0, 1e-4;
+  std::vector<Handle> handles;
+  for (int v = 0; v < 3; ++v) handles.push_back({.id = v, .vertex = v, .target = u.col(v)});
+  OwnWorkspace own = test::workspace_of(MeshPair(triangles, rest, u), handles);
+  own.settings.fixed_boundary = {0, 1, 2};
+  test::run_to_the_end(refine_crushed(own.work));
+  EXPECT_EQ(own.work.mesh.vertex_count(), 3);
+  EXPECT_EQ(own.effort.factorizations, 0);
+}
+
+}  // namespace
+}  // namespace foldless
