@@ -30,6 +30,12 @@ bool fits_a_line(const JsonNode& node) {
   return node.as<JsonNode::Array>() ? depth(node, 2) < 2 : depth(node, 3) < 3;
 }
 
+/// Up to where all whole numbers are doubles.
+bool is_integer(double number) {
+  constexpr double kLargest = 9007199254740992;  // 2⁵³
+  return std::abs(number) <= kLargest && number == std::trunc(number);
+}
+
 class Writer {
  public:
   std::string text;
@@ -75,8 +81,12 @@ class Writer {
 
   void write_number(double number) {
     if (!std::isfinite(number)) throw Error("a number is not finite and cannot be saved");
-    append_number(text, number);
-    if (number == 0 && std::signbit(number)) text += ".0";  // -0 would be read as an integer
+    if (number == 0 && std::signbit(number))
+      text += "-0.0";  // -0 would be read as an integer
+    else if (is_integer(number))
+      text += std::to_string(static_cast<long long>(number));  // 2e+05 is no index to many readers
+    else
+      append_number(text, number);
   }
 
   void write_string(const std::string& string) {

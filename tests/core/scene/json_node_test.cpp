@@ -7,6 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/support/errors.h"
 
@@ -92,6 +95,17 @@ TEST(JsonText, ReadsBackEveryNumberBitForBit) {
   for (std::size_t i = 0; i < numbers.size(); ++i)
     EXPECT_EQ(std::bit_cast<std::uint64_t>(*numbers[i].as<double>()),
               std::bit_cast<std::uint64_t>(*(*back.as<JsonNode::Array>())[i].as<double>()));
+}
+
+TEST(JsonText, WritesWholeNumbersAsIntegers) {
+  const std::vector<std::pair<double, std::string>> numbers{
+      {100000, "100000"},      {-2e5, "-200000"}, {1e15, "1000000000000000"},  {0, "0"},
+      {1e5 + 0.5, "100000.5"}, {1e300, "1e+300"}, {0x1p53, "9007199254740992"}};
+  for (const auto& [number, text] : numbers) {
+    const std::string written = json_text({number});
+    EXPECT_EQ(written.substr(0, written.find_last_not_of('\n') + 1), text);
+    EXPECT_EQ(*parse_json(written, "a").as<double>(), number);
+  }
 }
 
 TEST(JsonText, RefusesNumbersThatAreNotFinite) {
