@@ -239,7 +239,7 @@ Steps<> Foldless::look_for_better(OtherWays& ways) {
   co_await try_candidates(work_, problem_.mesh);
   co_await uncrush(ways);
   if (was_crushed) co_await hop(work_);
-  if (is_crushed(work_.mesh)) co_await refine_crushed(work_);
+  co_await refine_crushed(work_);
 }
 
 // Where triangles are crushed another way, from rest, may end in a better mesh; the best one stays.

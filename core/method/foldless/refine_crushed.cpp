@@ -34,19 +34,20 @@ struct Limits {
 
 Steps<> refine_in_rounds(Workspace& work, Refinement refinement, Limits limits) {
   Workspace best = work;
+  double distortion = largest_distortion(work.mesh), least_distortion = distortion;
   int without_help = 0;
   for (int round = 0; round < kMostRounds && without_help < kMostRoundsWithoutHelp; ++round) {
-    const double least = refinement.part * largest_distortion(work.mesh);
-    if (work.split_distorted(least) == 0 || work.mesh.vertex_count() > limits.vertices) break;
+    if (work.split_distorted(refinement.part * distortion) == 0 ||
+        work.mesh.vertex_count() > limits.vertices)
+      break;
     co_await settle(work, {.exponent = refinement.exponent});
-    if (largest_distortion(work.mesh) < kLess * largest_distortion(best.mesh) &&
-        settled_energy(work) <= limits.energy) {
-      best = work;
-      without_help = 0;
-    } else {
-      ++without_help;
-    }
-    if (!is_crushed(best.mesh)) break;
+    distortion = largest_distortion(work.mesh);
+    ++without_help;
+    if (distortion >= kLess * least_distortion || settled_energy(work) > limits.energy) continue;
+    best = work;
+    least_distortion = distortion;
+    without_help = 0;
+    if (distortion < kCrushed) break;
   }
   work = std::move(best);
 }
@@ -55,7 +56,7 @@ Steps<> refine_in_rounds(Workspace& work, Refinement refinement, Limits limits) 
 
 Steps<> refine_crushed(Workspace& work) {
   using namespace refining;
-  if (work.mesh.face_count() > kLargestWithCandidates) co_return;
+  if (work.mesh.face_count() > kLargestWithCandidates || !is_crushed(work.mesh)) co_return;
   const Limits limits{static_cast<int>(kMostVertices * work.mesh.vertex_count()),
                       kDearer * settled_energy(work)};
   for (const Refinement& refinement : kRefinements)

@@ -22,6 +22,13 @@ namespace {
 using test::OwnWorkspace;
 using test::StageRunner;
 
+OwnWorkspace trading_workspace(std::uint64_t seed) {
+  const Problem problem = test::trading_places(seed);
+  RunSettings settings = test::run_settings(problem.energy, problem.mesh);
+  settings.diagonal = bounding_box_diagonal(problem.mesh.rest());
+  return {problem.mesh, constraints_of(problem.handles), std::move(settings)};
+}
+
 /// False where the handles do not get to their targets.
 bool arrives_and_settles(OwnWorkspace& own) {
   const auto progress = test::run_to_the_end(
@@ -43,7 +50,7 @@ TEST(Hop, IsValidWhateverIsCancelledAndEndsWithNoMoreEnergyUnlessItWasCrushed) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
-    OwnWorkspace own = test::trading_workspace(seed);
+    OwnWorkspace own = trading_workspace(seed);
     Workspace& work = own.work;
     if (!arrives_and_settles(own)) continue;
     const double before = distortion_energy(work);

@@ -9,7 +9,6 @@
 #include "core/mesh/generate.h"
 #include "core/method/foldless/foldless.h"
 #include "core/method/foldless/workspace.h"
-#include "tests/core/method/foldless/foldless_scenes.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/random_vector.h"
 
@@ -44,14 +43,6 @@ inline OwnWorkspace workspace_of(const MeshPair& mesh, const std::vector<Handle>
 }
 inline OwnWorkspace workspace_of(const Problem& problem) {
   return workspace_of(problem.mesh, problem.handles);
-}
-
-/// Those of trading_places(), at rest.
-inline OwnWorkspace trading_workspace(std::uint64_t seed) {
-  const Problem problem = trading_places(seed);
-  RunSettings settings = run_settings(problem.energy, problem.mesh);
-  settings.diagonal = bounding_box_diagonal(problem.mesh.rest());
-  return {problem.mesh, constraints_of(problem.handles), std::move(settings)};
 }
 
 /// Handles on their targets in a random map, `splits` of its edges split.
