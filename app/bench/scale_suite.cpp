@@ -77,6 +77,9 @@ std::string size_words(int faces) { return std::to_string(faces / 1000) + "k"; }
 
 BenchScene scale_scene(int index) {
   constexpr int kOfAKind = static_cast<int>(std::size(kSizes));
+  if (index == 9) return bend("bend-" + size_words(kLargest), kLargest, kStrongBend);
+  if (index == 10) return twist("twist-" + size_words(kLargest), kLargest);
+  if (index == 11) return bend("mild-2000k", 2000000, kMildBend);
   if (index >= 2 * kOfAKind) return bend("mild-" + size_words(kLargest), kLargest, kMildBend);
   const int faces = kSizes[index % kOfAKind];
   return index < kOfAKind ? bend("bend-" + size_words(faces), faces, kStrongBend)

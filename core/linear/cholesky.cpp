@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/cholesky.h"
 
+#include <algorithm>
+
 #include "core/linear/multifrontal.h"
 #include "core/linear/ordering.h"
 #include "core/linear/single_precision_solve.h"
@@ -9,6 +11,17 @@
 #include "core/linear/triangular_solve.h"
 
 namespace foldless {
+namespace {
+
+/// Room for so many values that no copy looks at.
+template <class Value>
+Value* own_room(std::shared_ptr<Buffer<Value>>& buffer, std::size_t size) {
+  if (!buffer || buffer.use_count() > 1) buffer = std::make_shared<Buffer<Value>>();
+  buffer->reserve(size);
+  return buffer->data();
+}
+
+}  // namespace
 
 void Cholesky::analyze(const SparseSymmetric& matrix, bool keep_ordering) {
   has_factor_ = false;
@@ -17,14 +30,25 @@ void Cholesky::analyze(const SparseSymmetric& matrix, bool keep_ordering) {
   symbolic_ = std::make_shared<const SymbolicFactor>(symbolic_factor(matrix, ordering_));
 }
 
-bool Cholesky::factorize(const SparseSymmetric& matrix, double shift) {
-  has_factor_ = false;
-  work_.single_is_of_the_factor = false;
-  if (!values_ || values_.use_count() > 1) values_ = std::make_shared<Buffer<double>>();
-  values_->reserve(symbolic_->values);
-  has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values_->data(), work_.updates,
-                                    token_) == matrix.size();
+bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision precision) {
+  has_factor_ = single_is_of_the_factor_ = false;
+  if (precision == Precision::single && solves_in_single_precision()) {
+    float* single = new_single();
+    has_factor_ = foldless::factorize(*symbolic_, matrix, shift, single, work_.single_updates,
+                                      token_) == matrix.size();
+    single_is_of_the_factor_ = has_factor_;
+  } else {
+    double* values = own_room(values_, symbolic_->values);
+    has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values, work_.updates, token_) ==
+                  matrix.size();
+  }
   return has_factor_;
+}
+
+float* Cholesky::new_single() {
+  float* single = own_room(single_, symbolic_->values + kSingleOverrun);
+  std::fill_n(single + symbolic_->values, kSingleOverrun, 0.0F);
+  return single;
 }
 
 Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
@@ -43,11 +67,11 @@ Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
 
 Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
   const double scale = right_hand_side.lpNorm<Eigen::Infinity>();
-  if (!solves_in_single_precision() || !(scale > 0)) return solve(right_hand_side);
-  if (!work_.single_is_of_the_factor) {
-    work_.single.reserve(symbolic_->values + kSingleOverrun);
-    to_single_precision(*symbolic_, values_->data(), work_.single.data());
-    work_.single_is_of_the_factor = true;
+  if (scale == 0) return Eigen::VectorXd::Zero(right_hand_side.size());
+  if (!solves_in_single_precision()) return solve(right_hand_side);
+  if (!single_is_of_the_factor_) {
+    to_single_precision(*symbolic_, values_->data(), new_single());
+    single_is_of_the_factor_ = true;
   }
   work_.single_in_order.reserve(static_cast<std::size_t>(symbolic_->solve_size()));
   work_.single_scratch.reserve(sweep_work_size(*symbolic_, kSingleOverrun));
@@ -57,7 +81,7 @@ Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
     for (std::size_t i = 0; i < 2; ++i)
       x[2 * k + i] =
           static_cast<float>(b[2 * static_cast<std::size_t>(symbolic_->order[k]) + i] / scale);
-  triangular_solve_single(*symbolic_, work_.single.data(), x, work_.single_scratch.data());
+  triangular_solve_single(*symbolic_, single_->data(), x, work_.single_scratch.data());
   Eigen::VectorXd solution(right_hand_side.size());
   for (std::size_t k = 0; k < symbolic_->order.size(); ++k)
     for (std::size_t i = 0; i < 2; ++i)

@@ -13,6 +13,10 @@
 
 namespace foldless {
 
+/// How exact a factor is. One in single precision is half the work and half the memory, and
+/// preconditions; where this processor does not solve with one, full precision takes its place.
+enum class Precision { full, single };
+
 /// Sparse Cholesky factorization LLᵀ of a symmetric matrix. The symbolic part is kept while the
 /// pattern stands. A copy has the factor too; both share it until one factorizes anew.
 class Cholesky {
@@ -23,17 +27,19 @@ class Cholesky {
   /// What may stop a factorization from now on.
   void obey(std::stop_token token) { token_ = std::move(token); }
   bool is_stopped() const { return token_.stop_requested(); }
-  /// Factorizes matrix + shift·I; false when that is not positive definite, or it was stopped.
-  /// Precondition: analyze() was called with the same pattern.
-  bool factorize(const SparseSymmetric& matrix, double shift = 0);
+  /// Factorizes matrix + shift·I; false when that is not positive definite, as far as the precision
+  /// tells, or it was stopped. Precondition: analyze() was called with the same pattern.
+  bool factorize(const SparseSymmetric& matrix, double shift = 0,
+                 Precision precision = Precision::full);
   /// True when analyze() was called.
   bool is_analyzed() const { return symbolic_ != nullptr; }
   /// True when the last factorization succeeded and nothing was analysed since.
   bool has_factor() const { return has_factor_; }
-  /// Solves with the factor. Precondition: has_factor().
+  /// Solves with the factor. Precondition: has_factor(), in full precision.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side);
   /// The same to about five digits where the factor is well conditioned: in single precision, which
   /// is half of what the memory has to bring, on processors that have the instructions for it.
+  /// Precondition: has_factor().
   Eigen::VectorXd precondition(const Eigen::VectorXd& right_hand_side);
 
  private:
@@ -41,20 +47,21 @@ class Cholesky {
   struct Work {
     Work() = default;
     Work(const Work&) {}
-    Work& operator=(const Work&) {
-      single_is_of_the_factor = false;
-      return *this;
-    }
+    Work& operator=(const Work&) { return *this; }
 
     Buffer<double> updates;
     Eigen::VectorXd in_order, scratch;
-    Buffer<float> single, single_in_order, single_scratch;
-    bool single_is_of_the_factor = false;
+    Buffer<float> single_updates, single_in_order, single_scratch;
   };
+
+  /// Room for the factor in single precision.
+  float* new_single();
 
   std::vector<int> ordering_;  ///< of the nodes
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::shared_ptr<Buffer<double>> values_;
+  std::shared_ptr<Buffer<float>> single_;
+  bool single_is_of_the_factor_ = false;
   Work work_;
   std::stop_token token_;
   bool has_factor_ = false;

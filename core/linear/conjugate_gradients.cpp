@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/conjugate_gradients.h"
 
+#include <cmath>
+
 namespace foldless {
 namespace {
 
@@ -22,9 +24,13 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
   Eigen::VectorXd image(b.size());
   double norm = residual.dot(direction);
   double decrease = 0;
-  while (norm > 0) {
+  while (!(norm <= 0)) {
     multiply(A, direction, image);
     const double curvature = direction.dot(image);
+    if (!std::isfinite(curvature)) {  // the preconditioner's numbers ended
+      solution.end = ConjugateGradientEnd::slow;
+      return solution;
+    }
     if (!(curvature > 0)) {
       solution.end = ConjugateGradientEnd::indefinite;
       return solution;

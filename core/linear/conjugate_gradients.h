@@ -18,7 +18,7 @@ struct ConjugateGradientSettings {
 /// How conjugate_gradients() ended.
 enum class ConjugateGradientEnd {
   converged,
-  slow,       ///< gave up
+  slow,       ///< gave up, also where the preconditioner gave no numbers
   stopped,    ///< as the factor is to obey
   indefinite  ///< met a direction p with pᵀAp ≤ 0
 };

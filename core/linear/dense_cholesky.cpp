@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "core/threads/team.h"
 
@@ -15,16 +16,17 @@ constexpr int kTogether = 64;
 constexpr int kStrip = 4;
 
 /// The Cholesky factor of the lower triangle of `size` columns at `a`, inverse on the diagonal;
-/// returns `size`, or the first column whose pivot is not positive.
-int factorize_corner(double* a, int stride, int size) {
+/// returns `size`, or the first column whose pivot is not positive or too large.
+template <class Value>
+int factorize_corner(Value* a, int stride, int size) {
   for (int j = 0; j < size; ++j) {
-    double* column = a + static_cast<std::ptrdiff_t>(j) * stride;
-    if (!(column[j] > 0)) return j;
-    const double inverse = 1 / std::sqrt(column[j]);
+    Value* column = a + static_cast<std::ptrdiff_t>(j) * stride;
+    if (!(column[j] > 0 && column[j] <= std::numeric_limits<Value>::max())) return j;
+    const Value inverse = 1 / std::sqrt(column[j]);
     column[j] = inverse;
     for (int i = j + 1; i < size; ++i) column[i] *= inverse;
     for (int k = j + 1; k < size; ++k) {
-      double* other = a + static_cast<std::ptrdiff_t>(k) * stride;
+      Value* other = a + static_cast<std::ptrdiff_t>(k) * stride;
       for (int i = k; i < size; ++i) other[i] -= column[i] * column[k];
     }
   }
@@ -41,9 +43,10 @@ struct Rows {
 };
 
 /// What the columns `done` take off the columns from j on, in some rows.
-ColumnStrip strip_of(const DensePanel& p, Columns done, Columns j, Rows rows) {
+template <class Value>
+ColumnStrip<Value> strip_of(const DensePanel<Value>& p, Columns done, Columns j, Rows rows) {
   const std::ptrdiff_t stride = p.rows;
-  const double* left = p.value + done.begin * stride;
+  const Value* left = p.value + done.begin * stride;
   return {p.value + j.begin * stride + rows.begin,
           p.rows,
           left + rows.begin,
@@ -63,11 +66,13 @@ void for_strips(Columns columns, const Visit& visit) {
 
 /// Factorizes some columns of a panel, from which all before them were subtracted, in the rows up
 /// to `end`.
-int factorize_columns(const DensePanel& p, Columns columns, int end, const DenseKernels& kernels) {
+template <class Value>
+int factorize_columns(const DensePanel<Value>& p, Columns columns, int end,
+                      const DenseKernels<Value>& kernels) {
   int found = columns.end;
   for_strips(columns, [&](Columns j) {
     const Columns done{columns.begin, j.begin};
-    const ColumnStrip corner = strip_of(p, done, j, {j.begin, j.end});
+    const ColumnStrip<Value> corner = strip_of(p, done, j, {j.begin, j.end});
     if (corner.terms > 0) kernels.subtract(corner);
     const int width = factorize_corner(corner.target, p.rows, corner.columns);
     if (width < corner.columns) {
@@ -81,9 +86,11 @@ int factorize_columns(const DensePanel& p, Columns columns, int end, const Dense
 }
 
 /// The rest of factorize_columns() in other rows below.
-void solve_rows(const DensePanel& p, Columns columns, Rows rows, const DenseKernels& kernels) {
+template <class Value>
+void solve_rows(const DensePanel<Value>& p, Columns columns, Rows rows,
+                const DenseKernels<Value>& kernels) {
   for_strips(columns, [&](Columns j) {
-    const double* triangle = p.value + static_cast<std::ptrdiff_t>(j.begin) * (p.rows + 1);
+    const Value* triangle = p.value + static_cast<std::ptrdiff_t>(j.begin) * (p.rows + 1);
     kernels.subtract_and_solve(strip_of(p, {columns.begin, j.begin}, j, rows), triangle);
     return true;
   });
@@ -97,7 +104,8 @@ std::ptrdiff_t grain(std::ptrdiff_t multiplications) {
 
 }  // namespace
 
-int factorize_panel(const DensePanel& p, const DenseKernels& kernels) {
+template <class Value>
+int factorize_panel(const DensePanel<Value>& p, const DenseKernels<Value>& kernels) {
   for (int begin = 0; begin < p.columns; begin += kTogether) {
     const Columns columns{begin, std::min(begin + kTogether, p.columns)};
     const int width = columns.end - columns.begin, below = p.rows - columns.end;
@@ -125,7 +133,9 @@ int factorize_panel(const DensePanel& p, const DenseKernels& kernels) {
   return p.columns;
 }
 
-void subtract_square(const DensePanel& p, double* U, Square start, const DenseKernels& kernels) {
+template <class Value>
+void subtract_square(const DensePanel<Value>& p, Value* U, Square start,
+                     const DenseKernels<Value>& kernels) {
   const int below = p.rows - p.columns;
   const auto subtract_from = [&](Columns columns) {
     for (int begin = 0; begin < p.columns; begin += kTogether) {
@@ -133,7 +143,7 @@ void subtract_square(const DensePanel& p, double* U, Square start, const DenseKe
       const auto take =
           start == Square::from_zero && begin == 0 ? kernels.set_negative : kernels.subtract;
       for_strips(columns, [&](Columns j) {
-        const double* left =
+        const Value* left =
             p.value + static_cast<std::ptrdiff_t>(begin) * p.rows + p.columns + j.begin;
         take({U + static_cast<std::ptrdiff_t>(j.begin) * (below + 1), below, left, left, p.rows,
               terms, below - j.begin, j.end - j.begin});
@@ -148,5 +158,11 @@ void subtract_square(const DensePanel& p, double* U, Square start, const DenseKe
                              std::min(kStrip * static_cast<int>(end), below)});
             });
 }
+
+template int factorize_panel(const DensePanel<double>&, const DenseKernels<double>&);
+template int factorize_panel(const DensePanel<float>&, const DenseKernels<float>&);
+template void subtract_square(const DensePanel<double>&, double*, Square,
+                              const DenseKernels<double>&);
+template void subtract_square(const DensePanel<float>&, float*, Square, const DenseKernels<float>&);
 
 }  // namespace foldless

@@ -11,6 +11,7 @@ namespace foldless {
 namespace {
 
 struct TwoRows {
+  using Value = double;
   static constexpr int kRows = 2;
   float64x2_t v;
   static TwoRows zero() { return {vdupq_n_f64(0)}; }
@@ -22,7 +23,7 @@ struct TwoRows {
 };
 
 template <int Columns, StripKind Kind>
-void do_strip(const StripAndTriangle& t) {
+void do_strip(const StripAndTriangle<double>& t) {
   const int rows = t.strip.rows;
   int i = 0;
   for (; i + 8 <= rows; i += 8) do_tile<TwoRows, 4, Columns, Kind>(t, i, AllRows{});
@@ -34,32 +35,47 @@ void do_strip(const StripAndTriangle& t) {
 }
 
 template <StripKind Kind>
-void do_strip(const StripAndTriangle& t) {
+void do_strip(const StripAndTriangle<double>& t) {
   if (t.strip.columns == 4)
     do_strip<4, Kind>(t);
   else
     do_strip<2, Kind>(t);
 }
 
-void neon_subtract(const ColumnStrip& s) { do_strip<StripKind::subtract>({s, nullptr}); }
-void neon_set_negative(const ColumnStrip& s) { do_strip<StripKind::set_negative>({s, nullptr}); }
-void neon_subtract_and_solve(const ColumnStrip& s, const double* triangle) {
+void neon_subtract(const ColumnStrip<double>& s) { do_strip<StripKind::subtract>({s, nullptr}); }
+void neon_set_negative(const ColumnStrip<double>& s) {
+  do_strip<StripKind::set_negative>({s, nullptr});
+}
+void neon_subtract_and_solve(const ColumnStrip<double>& s, const double* triangle) {
   do_strip<StripKind::solve>({s, triangle});
 }
 
-const DenseKernels kernels_for_neon = {"NEON", neon_subtract, neon_set_negative,
-                                       neon_subtract_and_solve};
+const DenseKernels<double> kernels_for_neon = {"NEON", neon_subtract, neon_set_negative,
+                                               neon_subtract_and_solve};
 
 }  // namespace
 
-const DenseKernels* neon_kernels() { return &kernels_for_neon; }
+template <>
+const DenseKernels<double>* neon_kernels() {
+  return &kernels_for_neon;
+}
 
 }  // namespace foldless
 
 #else
 
 namespace foldless {
-const DenseKernels* neon_kernels() { return nullptr; }
+template <>
+const DenseKernels<double>* neon_kernels() {
+  return nullptr;
+}
 }  // namespace foldless
 
 #endif
+
+namespace foldless {
+template <>
+const DenseKernels<float>* neon_kernels() {
+  return nullptr;
+}
+}  // namespace foldless

@@ -18,36 +18,38 @@ namespace {
 enum class StripKind { subtract, set_negative, solve };
 
 /// A strip, and the triangle of DenseKernels::subtract_and_solve() where it has one.
+template <class Value>
 struct StripAndTriangle {
-  const ColumnStrip& strip;
-  const double* triangle;
+  const ColumnStrip<Value>& strip;
+  const Value* triangle;
 };
 
 /// Which values of a tile's last register count, where all of them do.
 struct AllRows {};
 
 template <class Lane, int Lanes, class Last>
-FOLDLESS_KERNEL Lane load_lane(const double* tile, int r, Last last) {
+FOLDLESS_KERNEL Lane load_lane(const typename Lane::Value* tile, int r, Last last) {
   return r + 1 < Lanes ? Lane::load(tile + r * Lane::kRows, AllRows{})
                        : Lane::load(tile + r * Lane::kRows, last);
 }
 
 /// Lanes registers of rows × Columns from row `i` on, of the last of which `last` says what counts.
-/// A Lane is a register of kRows values. Every value goes through the same operations in the same
+/// A Lane is a register of kRows Values. Every value goes through the same operations in the same
 /// order whatever the tile that it lies in.
 template <class Lane, int Lanes, int Columns, StripKind Kind, class Last>
-FOLDLESS_KERNEL void do_tile(const StripAndTriangle& t, int i, Last last) {
-  const ColumnStrip& s = t.strip;
+FOLDLESS_KERNEL void do_tile(const StripAndTriangle<typename Lane::Value>& t, int i, Last last) {
+  using Value = typename Lane::Value;
+  const ColumnStrip<Value>& s = t.strip;
   Lane value[Columns][Lanes];
-  double* target = s.target + i;
+  Value* target = s.target + i;
   for (int c = 0; c < Columns; ++c) {
-    const double* from = target + static_cast<std::ptrdiff_t>(c) * s.target_stride;
+    const Value* from = target + static_cast<std::ptrdiff_t>(c) * s.target_stride;
     for (int r = 0; r < Lanes; ++r)
       value[c][r] =
           Kind == StripKind::set_negative ? Lane::zero() : load_lane<Lane, Lanes>(from, r, last);
   }
-  const double* left = s.left + i;
-  const double* right = s.right;
+  const Value* left = s.left + i;
+  const Value* right = s.right;
   for (int k = 0; k < s.terms; ++k, left += s.stride, right += s.stride) {
     Lane rows[Lanes];
     for (int r = 0; r < Lanes; ++r) rows[r] = load_lane<Lane, Lanes>(left, r, last);
@@ -58,7 +60,7 @@ FOLDLESS_KERNEL void do_tile(const StripAndTriangle& t, int i, Last last) {
   }
   if constexpr (Kind == StripKind::solve)
     for (int c = 0; c < Columns; ++c) {
-      const double* column = t.triangle + static_cast<std::ptrdiff_t>(c) * s.target_stride;
+      const Value* column = t.triangle + static_cast<std::ptrdiff_t>(c) * s.target_stride;
       for (int r = 0; r < Lanes; ++r) value[c][r].multiply(Lane::all(column + c));
       for (int d = c + 1; d < Columns; ++d)
         for (int r = 0; r < Lanes; ++r) value[d][r].subtract(value[c][r], Lane::all(column + d));

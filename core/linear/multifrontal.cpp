@@ -2,6 +2,7 @@
 #include "core/linear/multifrontal.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "core/linear/dense_cholesky.h"
@@ -12,13 +13,14 @@ namespace foldless {
 namespace {
 
 /// A panel and an update matrix, which together are a lower triangle.
+template <class Value>
 struct Front {
-  DensePanel panel;
-  double* update;  ///< below × below
+  DensePanel<Value> panel;
+  Value* update;  ///< below × below
   int below;
 
   /// The values of a column of the front, by rows of the front.
-  double* column(int j) const {
+  Value* column(int j) const {
     return j < panel.columns
                ? panel.value + static_cast<std::ptrdiff_t>(j) * panel.rows
                : update + static_cast<std::ptrdiff_t>(j - panel.columns) * below - panel.columns;
@@ -32,10 +34,15 @@ struct NodesOfFront {
 /// Columns of a square that are worth handing out together: some tens of thousands of values.
 int columns_together(int rows) { return 2 * std::max(8, 16384 / std::max(rows, 1)); }
 
+/// The solves in single precision go through a panel by whole registers, beyond the diagonal.
+template <class Value>
+constexpr bool kIsClearedAboveTheDiagonal = std::is_same_v<Value, float>;
+
+template <class Value>
 class Multifrontal {
  public:
   Multifrontal(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-               double* values, double* updates, const std::stop_token& token)
+               Value* values, Value* updates, const std::stop_token& token)
       : factor_(factor),
         matrix_(matrix),
         shift_(shift),
@@ -71,9 +78,9 @@ class Multifrontal {
   int eliminate(std::size_t k) const {
     const Supernode& s = factor_.supernodes[k];
     if (token_.stop_requested()) return s.first;
-    const Front front = front_of(s);
-    const DenseKernels& kernels = dense_kernels();
-    std::fill_n(front.panel.value, static_cast<std::size_t>(s.rows()) * s.columns, 0.0);
+    const Front<Value> front = front_of(s);
+    const DenseKernels<Value>& kernels = dense_kernels<Value>();
+    std::fill_n(front.panel.value, static_cast<std::size_t>(s.rows()) * s.columns, Value{0});
     add_matrix(k, front.panel);
     if (s.child >= 0) add_updates(s, front);
     const int found = factorize_panel(front.panel, kernels);
@@ -81,24 +88,28 @@ class Multifrontal {
     if (s.below > 0)
       subtract_square(front.panel, front.update,
                       s.child >= 0 ? Square::accumulate : Square::from_zero, kernels);
+    if constexpr (kIsClearedAboveTheDiagonal<Value>)
+      for (std::ptrdiff_t j = 1; j < s.columns; ++j)
+        std::fill_n(front.panel.value + j * s.rows(), j, Value{0});
     return factor_.size();
   }
 
-  Front front_of(const Supernode& s) const {
+  Front<Value> front_of(const Supernode& s) const {
     return {{values_ + s.value_start, s.rows(), s.columns}, updates_ + s.update_start, s.below};
   }
 
-  void add_matrix(std::size_t k, const DensePanel& panel) const {
+  void add_matrix(std::size_t k, const DensePanel<Value>& panel) const {
     const Supernode& s = factor_.supernodes[k];
     const double* value = matrix_.value.data();
     for (int j = 0; j < s.columns; j += 2) {
       const auto node =
           static_cast<std::size_t>(factor_.order[static_cast<std::size_t>((s.first + j) / 2)]);
       const double* first = value + matrix_.column_start[2 * node];
-      double* target = panel.value + static_cast<std::ptrdiff_t>(j) * (panel.rows + 1);
-      target[0] = first[0] + shift_;
-      target[1] = first[1];
-      target[panel.rows + 1] = value[matrix_.column_start[2 * node + 1]] + shift_;
+      Value* target = panel.value + static_cast<std::ptrdiff_t>(j) * (panel.rows + 1);
+      target[0] = static_cast<Value>(first[0] + shift_);
+      target[1] = static_cast<Value>(first[1]);
+      target[panel.rows + 1] =
+          static_cast<Value>(value[matrix_.column_start[2 * node + 1]] + shift_);
     }
     const std::size_t end = k + 1 < factor_.supernodes.size()
                                 ? factor_.supernodes[k + 1].block_start
@@ -107,19 +118,19 @@ class Multifrontal {
       const BlockOfPanel& block = factor_.blocks[b];
       const double *first = value + block.first, *second = value + block.second;
       const bool is_transposed = block.target < 0;
-      double* target = panel.value + (is_transposed ? ~block.target : block.target);
-      target[0] = first[0];
-      target[1] = is_transposed ? second[0] : first[1];
-      target[panel.rows] = is_transposed ? first[1] : second[0];
-      target[panel.rows + 1] = second[1];
+      Value* target = panel.value + (is_transposed ? ~block.target : block.target);
+      target[0] = static_cast<Value>(first[0]);
+      target[1] = static_cast<Value>(is_transposed ? second[0] : first[1]);
+      target[panel.rows] = static_cast<Value>(is_transposed ? first[1] : second[0]);
+      target[panel.rows + 1] = static_cast<Value>(second[1]);
     }
   }
 
-  void add_updates(const Supernode& s, const Front& front) const {
+  void add_updates(const Supernode& s, const Front<Value>& front) const {
     in_ranges(s.below, columns_together(s.below), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
       for (std::ptrdiff_t j = begin; j < end; ++j) {
         const std::ptrdiff_t from = j & ~3;  // the kernels take whole blocks on the diagonal
-        std::fill_n(front.update + j * s.below + from, s.below - from, 0.0);
+        std::fill_n(front.update + j * s.below + from, s.below - from, Value{0});
       }
     });
     for (int k = s.child; k >= 0;) {
@@ -133,15 +144,15 @@ class Multifrontal {
   }
 
   /// The columns of some nodes of the update matrix of a child.
-  void add_update(const Supernode& child, const Front& front, NodesOfFront nodes) const {
+  void add_update(const Supernode& child, const Front<Value>& front, NodesOfFront nodes) const {
     const std::span<const int> places = factor_.places_of(child);
     const int* place = places.data();
-    const double* a =
+    const Value* a =
         front_of(child).update + static_cast<std::ptrdiff_t>(2 * nodes.begin) * child.below;
     for (int j = 2 * nodes.begin; j < 2 * nodes.end; j += 2) {
-      const double* b = a + child.below;
-      double* to_a = front.column(2 * place[j / 2]);
-      double* to_b = front.column(2 * place[j / 2] + 1);
+      const Value* b = a + child.below;
+      Value* to_a = front.column(2 * place[j / 2]);
+      Value* to_b = front.column(2 * place[j / 2] + 1);
       for (int i = j; i < child.below; i += 2) {
         const int row = 2 * place[i / 2];
         to_a[row] += a[i];
@@ -156,18 +167,24 @@ class Multifrontal {
   const SymbolicFactor& factor_;
   const SparseSymmetric& matrix_;
   double shift_;
-  double* values_;
-  double* updates_;
+  Value* values_;
+  Value* updates_;
   const std::stop_token& token_;
 };
 
 }  // namespace
 
 // NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
+template <class Value>
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-              double* values, Buffer<double>& updates, const std::stop_token& token) {
+              Value* values, Buffer<Value>& updates, const std::stop_token& token) {
   updates.reserve(factor.updates);
-  return Multifrontal(factor, matrix, shift, values, updates.data(), token).run();
+  return Multifrontal<Value>(factor, matrix, shift, values, updates.data(), token).run();
 }
+
+template int factorize(const SymbolicFactor&, const SparseSymmetric&, double, double*,
+                       Buffer<double>&, const std::stop_token&);
+template int factorize(const SymbolicFactor&, const SparseSymmetric&, double, float*,
+                       Buffer<float>&, const std::stop_token&);
 
 }  // namespace foldless

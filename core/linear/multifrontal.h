@@ -10,13 +10,15 @@
 namespace foldless {
 
 /// The Cholesky factor of matrix + shift·I by the multifrontal method [Liu92] into `values`, which
-/// have room for factor.values, with the inverse of its diagonal on the diagonal. Returns the
-/// number of columns, or one, in the order of elimination, whose pivot is not positive, or at which
-/// it was stopped: what is in `values` is no factor then. `updates` is room that may serve others
+/// have room for factor.values, with the inverse of its diagonal on the diagonal and, where a Value
+/// is a float, zero above it. Returns the number of columns, or one, in the order of elimination,
+/// whose pivot is not positive or too large for a Value, or at which it was stopped: what is in
+/// `values` is no factor then. `updates` is room that may serve others
 /// later. The team of this thread does it, and however many they are, with the same bits on the
 /// same kind of processor. Precondition: the pattern is that of the symbolic factor. Throws
 /// std::bad_alloc.
+template <class Value>
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-              double* values, Buffer<double>& updates, const std::stop_token& token = {});
+              Value* values, Buffer<Value>& updates, const std::stop_token& token = {});
 
 }  // namespace foldless

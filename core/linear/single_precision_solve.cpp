@@ -27,7 +27,6 @@ void to_single_precision(const SymbolicFactor& factor, const double* values, flo
               for (std::ptrdiff_t k = begin; k < end; ++k)
                 convert(factor.supernodes[static_cast<std::size_t>(k)]);
             });
-  std::fill_n(single + factor.values, kSingleOverrun, 0.0F);
 }
 
 #ifdef __x86_64__

@@ -9,9 +9,9 @@ namespace foldless {
 bool solves_in_single_precision();
 
 /// The values that factorize() in multifrontal.h makes, in single precision, zero above the
-/// diagonal. `single` has room for factor.values + kSingleOverrun.
+/// diagonal. `single` has room for factor.values.
 void to_single_precision(const SymbolicFactor& factor, const double* values, float* single);
-/// So many values more are read than there are, and not used.
+/// So many values behind those of the factor are read and not used: they are to be finite.
 constexpr int kSingleOverrun = 8;
 
 /// Solves L Lᵀ x = b in place as triangular_solve() does: x has room for factor.solve_size()

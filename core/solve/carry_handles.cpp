@@ -40,9 +40,13 @@ VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& e
   system.factor().obey(token);
   system.assemble(energy, mesh.deformed(), 1);
   const Points way = way_of_handles(mesh, constraints);
-  std::optional<LaggedStep> lagged = lagged_carrying_step(system, settings, mesh.deformed(), way);
+  const auto lagged_step = [&] {
+    return lagged_carrying_step(system, settings, mesh.deformed(), way);
+  };
+  std::optional<LaggedStep> lagged = lagged_step();
+  if (!lagged || lagged->is_indefinite) lagged = rough_clamped_step(system, token, lagged_step);
   VertexUpdate update;
-  if (!lagged || lagged->is_indefinite) {
+  if (!lagged) {
     const std::optional<double> mu = factorize_clamped(system, token);
     if (!mu) return {.cancelled = token.stop_requested()};
     update.mu = *mu;

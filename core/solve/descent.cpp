@@ -32,6 +32,21 @@ VertexUpdate step_along(const Points& step, NewtonSystem& system, MeshPair& mesh
 
 }  // namespace
 
+std::optional<LaggedStep> rough_clamped_step(
+    NewtonSystem& system, const std::stop_token& token,
+    const std::function<std::optional<LaggedStep>()>& lagged) {
+  HessianFactor& factor = system.factor();
+  if (!factor.is_single_worth_while(system.hessian())) return std::nullopt;
+  factor.obey(token);
+  analyze(system);
+  if (token.stop_requested()) return std::nullopt;
+  std::optional<LaggedStep> step;
+  if (factorize(system, 0, Precision::single)) step = lagged();
+  if (step && !step->is_indefinite) return step;
+  if (!token.stop_requested()) factor.set_single_too_rough();
+  return std::nullopt;
+}
+
 std::optional<double> factorize_clamped(NewtonSystem& system, const std::stop_token& token,
                                         double last_shift) {
   system.factor().obey(token);
@@ -62,8 +77,12 @@ VertexUpdate Descent::step(NewtonSystem& system, MeshPair& mesh, const Energy& e
   system.assemble(energy, mesh.deformed(), 1);
   double mu = 0;
   std::optional<LaggedStep> step;
-  if (use_ == FactorUse::lagged) step = lagged_newton_step(system);
-  if (!step || step->is_indefinite) {
+  if (use_ == FactorUse::lagged) {
+    const auto lagged = [&] { return lagged_newton_step(system); };
+    step = lagged();
+    if (!step || step->is_indefinite) step = rough_clamped_step(system, token, lagged);
+  }
+  if (!step) {
     const std::optional<double> shift = factorize_clamped(system, token, last_shift_);
     if (!shift) return {.cancelled = token.stop_requested()};
     last_shift_ = mu = *shift;
@@ -84,7 +103,15 @@ std::optional<Points> Descent::step_if_definite(NewtonSystem& system,
       if (lagged->is_indefinite) return std::nullopt;
       return std::move(lagged->step);
     }
-  if (token.stop_requested() || !factorize(system, 0)) return std::nullopt;
+  if (token.stop_requested()) return std::nullopt;
+  if (use_ == FactorUse::lagged && system.factor().is_single_worth_while(system.hessian())) {
+    if (!factorize(system, 0, Precision::single)) return std::nullopt;
+    if (std::optional<LaggedStep> rough = lagged_newton_step(system))
+      return rough->is_indefinite ? std::nullopt : std::optional(std::move(rough->step));
+    if (token.stop_requested()) return std::nullopt;
+    system.factor().set_single_too_rough();
+  }
+  if (!factorize(system, 0)) return std::nullopt;
   return newton_step(system);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <stop_token>
 
+#include "core/solve/newton_step.h"
 #include "core/solve/update_vertices.h"
 
 namespace foldless {
@@ -42,6 +44,12 @@ class Descent {
   double last_shift_ = 0;      ///< that the clamped ∇²E needed
 };
 
+/// A step of ∇²E as last assembled with clamped elements, from its factor in single precision, with
+/// which `lagged` makes it; nothing where that is not worth while, or was found too rough, or when
+/// cancelled. Counts H.
+std::optional<LaggedStep> rough_clamped_step(
+    NewtonSystem& system, const std::stop_token& token,
+    const std::function<std::optional<LaggedStep>()>& lagged);
 /// Factorizes ∇²E as last assembled with clamped elements: the shift that rounding made necessary,
 /// tried from the one before `last_shift` on, or nothing when cancelled or hopeless. Counts H.
 std::optional<double> factorize_clamped(NewtonSystem& system, const std::stop_token& token,

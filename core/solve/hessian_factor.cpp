@@ -9,6 +9,9 @@ namespace {
 constexpr double kEdgesChangedBeforeReordering = 0.02;
 constexpr int kReorderedFrom = 2000;
 
+/// Unknowns from which on half the memory is worth the second iteration.
+constexpr int kSingleFrom = 4000;
+
 /// An iteration costs a tenth of a factorization or less.
 constexpr int kMostLaggedIterations = 8;
 /// A factor that took so many iterations is too far from ∇²E to serve once more.
@@ -33,10 +36,14 @@ void HessianFactor::analyze(const SparseSymmetric& matrix) {
   is_analyzed_ = true;
 }
 
-bool HessianFactor::factorize(const Hessian& hessian, double mu) {
+bool HessianFactor::is_single_worth_while(const Hessian& hessian) const {
+  return !is_single_too_rough_ && hessian.matrix.size() >= kSingleFrom;
+}
+
+bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision precision) {
   kind_ = hessian.kind;
-  is_near_ = cholesky_.factorize(hessian.matrix, mu);
-  is_exact_ = is_near_ && mu == 0;
+  is_near_ = cholesky_.factorize(hessian.matrix, mu, precision);
+  is_exact_ = is_near_ && mu == 0 && precision == Precision::full;
   return is_near_;
 }
 

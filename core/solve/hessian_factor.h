@@ -36,15 +36,20 @@ class HessianFactor {
   void analyze(const SparseSymmetric& matrix);
   /// What may stop factorizations and iterations from now on.
   void obey(const std::stop_token& token) { cholesky_.obey(token); }
+  /// Whether a factor in single precision is worth while that iterations begin from.
+  bool is_single_worth_while(const Hessian& hessian) const;
+  /// Says that single precision did not do for a Hessian that is positive definite: where triangles
+  /// are nearly crushed their stiffness drowns the rest, and goes on to.
+  void set_single_too_rough() { is_single_too_rough_ = true; }
   /// False when the Hessian + μI is not positive definite, or where it was stopped. Precondition:
   /// it is analysed.
-  bool factorize(const Hessian& hessian, double mu);
-  /// Solves with the factor. Precondition: the last factorization succeeded.
+  bool factorize(const Hessian& hessian, double mu, Precision precision);
+  /// Solves with the factor. Precondition: the last factorization succeeded, in full precision.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) {
     return cholesky_.solve(right_hand_side);
   }
 
-  /// True when it is the factor of ∇²E itself as assembled last.
+  /// True when it is the factor of ∇²E itself as assembled last, in full precision.
   bool is_exact() const { return is_exact_ && cholesky_.has_factor(); }
   /// Says that another ∇²E was assembled, or that the vertices moved.
   void outdate() { is_exact_ = false; }
@@ -64,6 +69,7 @@ class HessianFactor {
   bool is_analyzed_ = false;
   bool is_exact_ = false;
   bool is_near_ = false;  ///< to ∇²E, as far as is known
+  bool is_single_too_rough_ = false;
   int edges_ = 0;
   int edges_changed_since_ordering_ = 0;
 };

@@ -24,11 +24,11 @@ void analyze(NewtonSystem& system) {
   system.factor().analyze(system.hessian().matrix);
 }
 
-bool factorize(NewtonSystem& system, double mu) {
+bool factorize(NewtonSystem& system, double mu, Precision precision) {
   analyze(system);
   StageTimer timer(system.effort().times.factorize);
   ++system.effort().factorizations;
-  return system.factor().factorize(system.hessian(), mu);
+  return system.factor().factorize(system.hessian(), mu, precision);
 }
 
 Points newton_step(NewtonSystem& system) {

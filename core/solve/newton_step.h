@@ -11,9 +11,10 @@ namespace foldless {
 /// a factorization, so that a cancellation need not wait for both.
 void analyze(NewtonSystem& system);
 /// Factorizes ∇²E + μI as last assembled; false when it is not positive definite. Counts H.
-bool factorize(NewtonSystem& system, double mu);
+bool factorize(NewtonSystem& system, double mu, Precision precision = Precision::full);
 
-/// −(factor)⁻¹ ∇E as displacements of the vertices, 2 × #V. Precondition: factorize() succeeded.
+/// −(factor)⁻¹ ∇E as displacements of the vertices, 2 × #V. Precondition: factorize() succeeded in
+/// full precision.
 Points newton_step(NewtonSystem& system);
 /// The same where the held handles move by `way`, 2 × #V and zero elsewhere, and the others follow
 /// it: −(factor)⁻¹ (∇E + ∇²E way) with the handles' part of ∇²E at `u`, clamped, and `way` itself
@@ -21,15 +22,15 @@ Points newton_step(NewtonSystem& system);
 Points carrying_step(NewtonSystem& system, const EnergySettings& settings, const Points& u,
                      const Points& way);
 
-/// A step from the factor of an earlier ∇²E.
+/// A step from the factor of an earlier ∇²E, or from one in single precision.
 struct LaggedStep {
   Points step;                 ///< displacements of the vertices, 2 × #V
   bool is_indefinite = false;  ///< no step: ∇²E turned out not to be positive definite
 };
 
-/// newton_step() without a factorization of ∇²E as last assembled: by conjugate gradients from the
-/// factor of an earlier one, where there is one that is near enough: of the same energy but for α
-/// and the conformal weight, with the same handles held.
+/// newton_step() by conjugate gradients from the factor that there is, where that is near enough:
+/// in single precision, or of an earlier ∇²E of the same energy but for α and the conformal weight,
+/// with the same handles held.
 std::optional<LaggedStep> lagged_newton_step(NewtonSystem& system);
 /// carrying_step() in that way.
 std::optional<LaggedStep> lagged_carrying_step(NewtonSystem& system, const EnergySettings& settings,

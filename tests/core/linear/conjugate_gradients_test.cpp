@@ -57,6 +57,18 @@ TEST(Multiply, IsTheProductOfTheWholeMatrix) {
   }
 }
 
+TEST(ConjugateGradients, GiveUpWhereTheFactorGivesNoNumbers) {
+  SparseSymmetric tiny = random_matrix(20, 3);
+  for (double& value : tiny.value) value *= 1e-42;
+  Cholesky factor;
+  factor.analyze(tiny);
+  ASSERT_TRUE(factor.factorize(tiny, 0, Precision::single));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(tiny.size(), -1, 2);
+  if (factor.precondition(b).allFinite()) GTEST_SKIP() << "this processor solves in doubles alone";
+  const ConjugateGradientSolution solution = conjugate_gradients(tiny, b, factor, {1e-2, 8});
+  EXPECT_EQ(solution.end, ConjugateGradientEnd::slow);
+}
+
 TEST(ConjugateGradients, StopWhenTheFactorIsToObey) {
   const SparseSymmetric m = random_matrix(20, 1);
   Cholesky factor = factor_of(changed(m, 20));

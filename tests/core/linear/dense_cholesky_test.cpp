@@ -7,28 +7,35 @@
 #include <Eigen/Core>
 #include <limits>
 #include <random>
-#include <string>
 
 #include "core/threads/team.h"
 
 namespace foldless {
 namespace {
 
-using Eigen::MatrixXd;
+template <class Value>
+using Matrix = Eigen::MatrixX<Value>;
+template <class Value>
+constexpr Value kInfinite = std::numeric_limits<Value>::infinity();
+template <class Value>
+constexpr Value kUnset = std::numeric_limits<Value>::quiet_NaN();
+/// Of what is computed in so many operations as below, by the norm of a column.
+template <class Value>
+constexpr Value kRounding = 20 * std::numeric_limits<Value>::epsilon();
 
-constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
-
-MatrixXd random_positive_definite(int size, unsigned seed) {
+template <class Value>
+Matrix<Value> random_positive_definite(int size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const MatrixXd a = MatrixXd::NullaryExpr(size, size, [&] { return unit(random); });
-  return a * a.transpose() + MatrixXd::Identity(size, size);
+  const Eigen::MatrixXd a = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return unit(random); });
+  return (a + a.transpose() + 2 * size * Eigen::MatrixXd::Identity(size, size)).cast<Value>();
 }
 
 /// The first columns of the lower triangle; NaN above, which nothing may read.
-MatrixXd panel_of(const MatrixXd& matrix, int columns) {
-  MatrixXd panel = matrix.leftCols(columns);
-  for (int j = 0; j < columns; ++j) panel.col(j).head(j & ~3).setConstant(kUnset);
+template <class Value>
+Matrix<Value> panel_of(const Matrix<Value>& matrix, int columns) {
+  Matrix<Value> panel = matrix.leftCols(columns);
+  for (int j = 0; j < columns; ++j) panel.col(j).head(j & ~3).setConstant(kUnset<Value>);
   return panel;
 }
 
@@ -38,68 +45,97 @@ struct Size {
 constexpr Size kSizes[] = {{2, 2},   {4, 2},   {6, 4},    {10, 6},    {12, 12},   {30, 14},
                            {64, 64}, {68, 66}, {150, 64}, {202, 130}, {300, 200}, {61 * 2, 58}};
 
-class DenseCholeskyTest : public testing::TestWithParam<const DenseKernels*> {
- protected:
-  void SetUp() override {
-    if (!GetParam()) GTEST_SKIP() << "this processor does not have them";
-  }
-  const DenseKernels& kernels() const { return *GetParam(); }
+template <class Value>
+const DenseKernels<Value>* kernels_for_all() {
+  return &plain_kernels<Value>();
+}
+
+template <class ValueOf, const DenseKernels<ValueOf>* (*Kernels)()>
+struct KindOfKernels {
+  using Value = ValueOf;
+  static const DenseKernels<Value>* kernels() { return Kernels(); }
 };
 
-TEST_P(DenseCholeskyTest, PanelsAreColumnsOfTheFactor) {
+template <class Kind>
+class DenseCholeskyTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!Kind::kernels()) GTEST_SKIP() << "this processor does not have them";
+  }
+  const DenseKernels<typename Kind::Value>& kernels() const { return *Kind::kernels(); }
+};
+
+using KindsOfKernels = testing::Types<
+    KindOfKernels<double, kernels_for_all<double>>, KindOfKernels<double, avx2_kernels<double>>,
+    KindOfKernels<double, avx512_kernels<double>>, KindOfKernels<double, neon_kernels<double>>,
+    KindOfKernels<float, kernels_for_all<float>>, KindOfKernels<float, avx2_kernels<float>>,
+    KindOfKernels<float, avx512_kernels<float>>>;
+TYPED_TEST_SUITE(DenseCholeskyTest, KindsOfKernels);
+
+TYPED_TEST(DenseCholeskyTest, PanelsAreColumnsOfTheFactor) {
+  using Value = typename TypeParam::Value;
   for (const auto& [rows, columns] : kSizes) {
     SCOPED_TRACE(testing::Message() << rows << " × " << columns);
-    const MatrixXd matrix = random_positive_definite(rows, 11);
-    MatrixXd panel = panel_of(matrix, columns);
-    ASSERT_EQ(factorize_panel({panel.data(), rows, columns}, kernels()), columns);
-    const MatrixXd expected = matrix.llt().matrixL();
+    const Matrix<Value> matrix = random_positive_definite<Value>(rows, 11);
+    Matrix<Value> panel = panel_of(matrix, columns);
+    ASSERT_EQ(factorize_panel(DensePanel<Value>{panel.data(), rows, columns}, this->kernels()),
+              columns);
+    const Matrix<Value> expected = matrix.llt().matrixL();
     for (int j = 0; j < columns; ++j) {
       panel(j, j) = 1 / panel(j, j);
-      EXPECT_LT((panel.col(j) - expected.col(j)).tail(rows - j).norm(), 1e-10 * matrix.norm());
+      EXPECT_LT((panel.col(j) - expected.col(j)).tail(rows - j).norm(),
+                kRounding<Value> * expected.col(j).norm());
     }
   }
 }
 
-TEST_P(DenseCholeskyTest, WhatIsTakenOffIsTheSquareOfTheRowsBelow) {
+TYPED_TEST(DenseCholeskyTest, WhatIsTakenOffIsTheSquareOfTheRowsBelow) {
+  using Value = typename TypeParam::Value;
   for (const auto& [rows, columns] : kSizes)
     for (const Square start : {Square::from_zero, Square::accumulate}) {
       const int below = rows - columns;
       SCOPED_TRACE(testing::Message() << rows << " × " << columns);
-      MatrixXd panel = random_positive_definite(rows, 12).leftCols(columns);
-      const MatrixXd rest = random_positive_definite(below, 13);
-      MatrixXd U = start == Square::from_zero ? MatrixXd::Constant(below, below, kUnset) : rest;
-      subtract_square({panel.data(), rows, columns}, U.data(), start, kernels());
-      const MatrixXd b = panel.bottomRows(below);
-      MatrixXd expected = -b * b.transpose();
+      Matrix<Value> panel = random_positive_definite<Value>(rows, 12).leftCols(columns);
+      const Matrix<Value> rest = random_positive_definite<Value>(below, 13);
+      Matrix<Value> U =
+          start == Square::from_zero ? Matrix<Value>::Constant(below, below, kUnset<Value>) : rest;
+      subtract_square(DensePanel<Value>{panel.data(), rows, columns}, U.data(), start,
+                      this->kernels());
+      const Matrix<Value> b = panel.bottomRows(below);
+      Matrix<Value> expected = -b * b.transpose();
       if (start == Square::accumulate) expected += rest;
       for (int j = 0; j < below; ++j)
-        EXPECT_LT((U.col(j) - expected.col(j)).tail(below - j).norm(), 1e-12 * expected.norm());
+        EXPECT_LT((U.col(j) - expected.col(j)).tail(below - j).norm(),
+                  kRounding<Value> * expected.col(j).norm());
     }
 }
 
-TEST_P(DenseCholeskyTest, TheFirstColumnWithoutAPositivePivotIsNamed) {
+TYPED_TEST(DenseCholeskyTest, TheFirstColumnWithoutAPositivePivotIsNamed) {
+  using Value = typename TypeParam::Value;
   for (const int column : {0, 1, 2, 5, 63, 64, 66, 101})
-    for (const double pivot : {-1.0, 0.0, kUnset}) {
+    for (const Value pivot : {Value{-1}, Value{0}, kUnset<Value>, kInfinite<Value>}) {
       SCOPED_TRACE(testing::Message() << column << ", " << pivot);
-      MatrixXd matrix = MatrixXd::Identity(110, 110);
+      Matrix<Value> matrix = Matrix<Value>::Identity(110, 110);
       matrix(column, column) = pivot;
       matrix(104, 104) = -1;
-      EXPECT_EQ(factorize_panel({matrix.data(), 110, 106}, kernels()), column);
+      EXPECT_EQ(factorize_panel(DensePanel<Value>{matrix.data(), 110, 106}, this->kernels()),
+                column);
     }
 }
 
-TEST_P(DenseCholeskyTest, AnyNumberOfThreadsGivesTheSameBits) {
+TYPED_TEST(DenseCholeskyTest, AnyNumberOfThreadsGivesTheSameBits) {
+  using Value = typename TypeParam::Value;
   constexpr int kRows = 700, kColumns = 330, kBelow = kRows - kColumns;
-  const MatrixXd matrix = random_positive_definite(kRows, 14);
-  MatrixXd panels[2], squares[2];
+  const Matrix<Value> matrix = random_positive_definite<Value>(kRows, 14);
+  Matrix<Value> panels[2], squares[2];
   Team team(3);
   for (int i = 0; i < 2; ++i) {
     const WithTeam with(i == 0 ? nullptr : &team);
     panels[i] = panel_of(matrix, kColumns);
-    squares[i] = MatrixXd::Zero(kBelow, kBelow);
-    const DensePanel panel{panels[i].data(), kRows, kColumns};
-    ASSERT_EQ(factorize_panel(panel, kernels()), kColumns);
-    subtract_square(panel, squares[i].data(), Square::accumulate, kernels());
+    squares[i] = Matrix<Value>::Zero(kBelow, kBelow);
+    const DensePanel<Value> panel{panels[i].data(), kRows, kColumns};
+    ASSERT_EQ(factorize_panel(panel, this->kernels()), kColumns);
+    subtract_square(panel, squares[i].data(), Square::accumulate, this->kernels());
   }
   for (int j = 0; j < kColumns; ++j)
     EXPECT_EQ(panels[0].col(j).tail(kRows - j), panels[1].col(j).tail(kRows - j)) << j;
@@ -107,21 +143,28 @@ TEST_P(DenseCholeskyTest, AnyNumberOfThreadsGivesTheSameBits) {
     EXPECT_EQ(squares[0].col(j).tail(kBelow - j), squares[1].col(j).tail(kBelow - j)) << j;
 }
 
-TEST(DenseKernels, ForAvx2AndAvx512HaveTheSameBits) {
-  if (!avx512_kernels()) GTEST_SKIP() << "this processor does not have both";
-  for (int rows = 2; rows <= 80; rows += 2)
+template <class Value>
+class DenseKernelsTest : public testing::Test {};
+using BothValues = testing::Types<double, float>;
+TYPED_TEST_SUITE(DenseKernelsTest, BothValues);
+
+TYPED_TEST(DenseKernelsTest, ForAvx2AndAvx512HaveTheSameBits) {
+  using Value = TypeParam;
+  if (!avx512_kernels<Value>()) GTEST_SKIP() << "this processor does not have both";
+  for (int rows = 2; rows <= 120; rows += 2)
     for (const int columns : {2, 4, 6, 26}) {
       if (columns > rows) continue;
       SCOPED_TRACE(testing::Message() << rows << " × " << columns);
       const int below = rows - columns;
-      const MatrixXd matrix = random_positive_definite(rows, 15);
-      MatrixXd panels[2], squares[2];
+      const Matrix<Value> matrix = random_positive_definite<Value>(rows, 15);
+      Matrix<Value> panels[2], squares[2];
       for (int i = 0; i < 2; ++i) {
-        const DenseKernels& kernels = i == 0 ? *avx2_kernels() : *avx512_kernels();
+        const DenseKernels<Value>& kernels =
+            i == 0 ? *avx2_kernels<Value>() : *avx512_kernels<Value>();
         // What nothing reads or writes stays as it is, and is compared too.
         panels[i] = matrix.leftCols(columns);
-        squares[i] = MatrixXd::Constant(below, below, 1);
-        const DensePanel panel{panels[i].data(), rows, columns};
+        squares[i] = Matrix<Value>::Constant(below, below, 1);
+        const DensePanel<Value> panel{panels[i].data(), rows, columns};
         ASSERT_EQ(factorize_panel(panel, kernels), columns);
         subtract_square(panel, squares[i].data(), Square::from_zero, kernels);
       }
@@ -130,22 +173,14 @@ TEST(DenseKernels, ForAvx2AndAvx512HaveTheSameBits) {
     }
 }
 
-TEST(DenseKernels, AreTheBestThatThereAre) {
-  const DenseKernels* best = &plain_kernels;
-  for (const DenseKernels* kernels : {neon_kernels(), avx2_kernels(), avx512_kernels()})
+TYPED_TEST(DenseKernelsTest, AreTheBestThatThereAre) {
+  using Value = TypeParam;
+  const DenseKernels<Value>* best = &plain_kernels<Value>();
+  for (const DenseKernels<Value>* kernels :
+       {neon_kernels<Value>(), avx2_kernels<Value>(), avx512_kernels<Value>()})
     if (kernels) best = kernels;
-  EXPECT_EQ(&dense_kernels(), best);
+  EXPECT_EQ(&dense_kernels<Value>(), best);
 }
-
-std::string name_of(const testing::TestParamInfo<const DenseKernels*>& test) {
-  constexpr const char* kNames[] = {"plain", "avx2", "avx512", "neon"};
-  return kNames[test.index];
-}
-
-INSTANTIATE_TEST_SUITE_P(Kernels, DenseCholeskyTest,
-                         testing::Values(&plain_kernels, avx2_kernels(), avx512_kernels(),
-                                         neon_kernels()),
-                         name_of);
 
 }  // namespace
 }  // namespace foldless

@@ -118,6 +118,27 @@ std::vector<double> solutions(const SymbolicFactor& factor, const double* values
   return all;
 }
 
+TEST(Multifrontal, InSinglePrecisionIsTheSameFactorButForRounding) {
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const SparseSymmetric m = dominated(random_symmetric(seed), seed);
+    const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m), 0);
+    std::vector<double> values(factor.values);
+    std::vector<float> rounded(factor.values), one_thread(factor.values), three(factor.values);
+    Buffer<double> updates;
+    Buffer<float> single_updates;
+    ASSERT_EQ(factorize(factor, m, 0.5, values.data(), updates), m.size());
+    ASSERT_EQ(factorize(factor, m, 0.5, one_thread.data(), single_updates), m.size());
+    to_single_precision(factor, values.data(), rounded.data());
+    for (std::size_t i = 0; i < factor.values; ++i)  // also those above the diagonal, which are 0
+      ASSERT_NEAR(one_thread[i], rounded[i], 1e-4) << i;
+    Team team(3);
+    const WithTeam with(&team);
+    ASSERT_EQ(factorize(factor, m, 0.5, three.data(), single_updates), m.size());
+    EXPECT_EQ(one_thread, three);
+  }
+}
+
 TEST(Multifrontal, SubtreesGiveTheSameBitsToAnyNumberOfThreads) {
   Team team(3);
   std::size_t parted = 0;

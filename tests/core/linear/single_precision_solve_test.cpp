@@ -32,9 +32,9 @@ TEST(SinglePrecisionSolve, IsThatOfDoublePrecisionButForRounding) {
     Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(factor.solve_size(), -1, 2), work;
     Eigen::VectorXf single_x = x.cast<float>();
     triangular_solve(factor, values.data(), x, work);
-    // What is behind the values and in the work space must not matter.
+    // What is behind the values must not matter where it is a number, nor the work space at all.
     constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
-    std::vector<float> single(factor.values + kSingleOverrun, kNotANumber);
+    std::vector<float> single(factor.values + kSingleOverrun, 12345.0F);
     std::vector<float> single_work(sweep_work_size(factor, kSingleOverrun), kNotANumber);
     to_single_precision(factor, values.data(), single.data());
     triangular_solve_single(factor, single.data(), single_x.data(), single_work.data());
@@ -69,6 +69,27 @@ TEST(SinglePrecisionSolve, PreconditionsWithTheLatestFactor) {
     EXPECT_LT((cholesky.precondition(b) - x).norm(), 1e-5 * x.norm());
     Cholesky copy = cholesky;
     EXPECT_EQ(copy.precondition(b), cholesky.precondition(b));
+    ASSERT_TRUE(copy.factorize(m, 7, Precision::single));
+    EXPECT_LT((cholesky.precondition(b) - x).norm(), 1e-5 * x.norm()) << "it was its own";
+    EXPECT_GT((copy.precondition(b) - x).norm(), 1e-2 * x.norm());
+    ASSERT_TRUE(copy.factorize(m, shift, Precision::single));
+    EXPECT_LT((copy.precondition(b) - x).norm(), 1e-4 * x.norm());
+    const Cholesky second = copy;
+    EXPECT_EQ(Cholesky(second).precondition(b), copy.precondition(b));
+  }
+}
+
+TEST(SinglePrecisionSolve, AFactorInSinglePrecisionSaysWhatIsTooLargeOrSmallForIt) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+  for (const double scale : {1e60, 1e-60}) {
+    SCOPED_TRACE(scale);
+    SparseSymmetric m = test::dominated(test::random_symmetric(7), 7);
+    for (double& value : m.value) value *= scale;
+    Cholesky cholesky;
+    cholesky.analyze(m);
+    EXPECT_FALSE(cholesky.factorize(m, 0, Precision::single));
+    EXPECT_FALSE(cholesky.has_factor());
+    EXPECT_TRUE(cholesky.factorize(m));
   }
 }
 
