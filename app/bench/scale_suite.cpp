@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -14,8 +14,25 @@
 namespace foldless {
 namespace {
 
-constexpr int kSizes[] = {2000, 20000, 100000, 400000};
-constexpr int kLargest = 1000000;
+enum class ScaleKind { bend, twist, mild };
+
+struct SizeOfKind {
+  ScaleKind kind;
+  int faces;
+};
+/// By index. New ones come last, so that an index stays with its scene.
+constexpr std::array<SizeOfKind, kScaleScenes> kScenes{{{ScaleKind::bend, 2000},
+                                                        {ScaleKind::bend, 20000},
+                                                        {ScaleKind::bend, 100000},
+                                                        {ScaleKind::bend, 400000},
+                                                        {ScaleKind::twist, 2000},
+                                                        {ScaleKind::twist, 20000},
+                                                        {ScaleKind::twist, 100000},
+                                                        {ScaleKind::twist, 400000},
+                                                        {ScaleKind::mild, 1000000},
+                                                        {ScaleKind::bend, 1000000},
+                                                        {ScaleKind::twist, 1000000},
+                                                        {ScaleKind::mild, 2000000}}};
 
 constexpr double kLength = 4;  ///< of the bar, whose width is 1
 constexpr double kStrongBend = 120 * std::numbers::pi / 180;
@@ -76,14 +93,13 @@ std::string size_words(int faces) { return std::to_string(faces / 1000) + "k"; }
 }  // namespace
 
 BenchScene scale_scene(int index) {
-  constexpr int kOfAKind = static_cast<int>(std::size(kSizes));
-  if (index == 9) return bend("bend-" + size_words(kLargest), kLargest, kStrongBend);
-  if (index == 10) return twist("twist-" + size_words(kLargest), kLargest);
-  if (index == 11) return bend("mild-2000k", 2000000, kMildBend);
-  if (index >= 2 * kOfAKind) return bend("mild-" + size_words(kLargest), kLargest, kMildBend);
-  const int faces = kSizes[index % kOfAKind];
-  return index < kOfAKind ? bend("bend-" + size_words(faces), faces, kStrongBend)
-                          : twist("twist-" + size_words(faces), faces);
+  const auto [kind, faces] = kScenes[static_cast<std::size_t>(index)];
+  switch (kind) {
+    case ScaleKind::bend: return bend("bend-" + size_words(faces), faces, kStrongBend);
+    case ScaleKind::twist: return twist("twist-" + size_words(faces), faces);
+    case ScaleKind::mild: break;
+  }
+  return bend("mild-" + size_words(faces), faces, kMildBend);
 }
 
 TextTable scale_table(std::span<const BenchRow> rows) {

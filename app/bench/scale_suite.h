@@ -10,7 +10,8 @@ namespace foldless {
 
 /// How the time of a method grows with the mesh. Scenes 0 to 3: a bar that is bent, of about 2,000,
 /// 20,000, 100,000 and 400,000 triangles; 4 to 7: a disk that is twisted, of the same sizes; 8: a
-/// mild bend of a bar of a million.
+/// mild bend of a bar of a million; 9 and 10: a strong one and a twist of a million; 11: a mild
+/// bend of two million.
 inline constexpr int kScaleScenes = 12;
 BenchScene scale_scene(int index);
 

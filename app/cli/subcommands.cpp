@@ -192,7 +192,7 @@ CLI::App* add_bench(CLI::App& app, BenchCall& call, Texts& texts) {
   bench
       ->add_option("--suite", call.suite,
                    "random: scenes drawn from a seed; hard: 216 that are hard to reach, likewise; "
-                   "paper: Table 1 and Figure 13; scale: meshes of two thousand to a million "
+                   "paper: Table 1 and Figure 13; scale: meshes of two thousand to two million "
                    "triangles; drag: how targets that move frame by frame are followed")
       ->type_name("NAME");
   bench

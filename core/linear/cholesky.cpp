@@ -34,8 +34,8 @@ bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision 
   has_factor_ = single_is_of_the_factor_ = false;
   if (precision == Precision::single && solves_in_single_precision()) {
     float* single = new_single();
-    has_factor_ = foldless::factorize(*symbolic_, matrix, shift, single, work_.single_updates,
-                                      token_) == matrix.size();
+    has_factor_ = foldless::factorize(*symbolic_, matrix, shift, single, work_.updates, token_) ==
+                  matrix.size();
     single_is_of_the_factor_ = has_factor_;
   } else {
     double* values = own_room(values_, symbolic_->values);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <memory>
 #include <stop_token>
 #include <utility>
@@ -49,9 +50,9 @@ class Cholesky {
     Work(const Work&) {}
     Work& operator=(const Work&) { return *this; }
 
-    Buffer<double> updates;
+    Buffer<std::byte> updates;
     Eigen::VectorXd in_order, scratch;
-    Buffer<float> single_updates, single_in_order, single_scratch;
+    Buffer<float> single_in_order, single_scratch;
   };
 
   /// Room for the factor in single precision.

@@ -177,14 +177,15 @@ class Multifrontal {
 // NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
 template <class Value>
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-              Value* values, Buffer<Value>& updates, const std::stop_token& token) {
-  updates.reserve(factor.updates);
-  return Multifrontal<Value>(factor, matrix, shift, values, updates.data(), token).run();
+              Value* values, Buffer<std::byte>& updates, const std::stop_token& token) {
+  updates.reserve(factor.updates * sizeof(Value));
+  auto* room = reinterpret_cast<Value*>(updates.data());
+  return Multifrontal<Value>(factor, matrix, shift, values, room, token).run();
 }
 
 template int factorize(const SymbolicFactor&, const SparseSymmetric&, double, double*,
-                       Buffer<double>&, const std::stop_token&);
+                       Buffer<std::byte>&, const std::stop_token&);
 template int factorize(const SymbolicFactor&, const SparseSymmetric&, double, float*,
-                       Buffer<float>&, const std::stop_token&);
+                       Buffer<std::byte>&, const std::stop_token&);
 
 }  // namespace foldless

@@ -19,6 +19,6 @@ namespace foldless {
 /// std::bad_alloc.
 template <class Value>
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-              Value* values, Buffer<Value>& updates, const std::stop_token& token = {});
+              Value* values, Buffer<std::byte>& updates, const std::stop_token& token = {});
 
 }  // namespace foldless

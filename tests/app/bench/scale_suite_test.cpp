@@ -18,6 +18,15 @@ TEST(ScaleSuite, TheSmallScenesHaveAboutTheTrianglesOfTheirNames) {
   }
 }
 
+TEST(ScaleSuite, AMillionTrianglesAreAMillion) {
+  for (const int index : {9, 10}) {
+    const BenchScene scene = scale_scene(index);
+    SCOPED_TRACE(scene.name);
+    EXPECT_TRUE(scene.name.ends_with("-1000k"));
+    EXPECT_NEAR(static_cast<double>(scene.scene.triangles.cols()), 1e6, 1e4);
+  }
+}
+
 TEST(ScaleSuite, ABendKeepsTheLengthOfTheEndThatMoves) {
   const Scene scene = scale_scene(0).scene;
   Points rest(2, 0), targets(2, 0);

@@ -76,7 +76,7 @@ TEST(Multifrontal, NoticesAnIndefiniteMatrixAtTheColumnWhereItShows) {
     const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m));
     Buffer<double> values;
     values.reserve(factor.values);
-    Buffer<double> updates;
+    Buffer<std::byte> updates;
     const int found = factorize(factor, m, 0, values.data(), updates);
     EXPECT_EQ(found, first_failure(m, factor.order));
     inside += found > 0 && found + 1 < m.size();
@@ -125,16 +125,15 @@ TEST(Multifrontal, InSinglePrecisionIsTheSameFactorButForRounding) {
     const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m), 0);
     std::vector<double> values(factor.values);
     std::vector<float> rounded(factor.values), one_thread(factor.values), three(factor.values);
-    Buffer<double> updates;
-    Buffer<float> single_updates;
+    Buffer<std::byte> updates;
     ASSERT_EQ(factorize(factor, m, 0.5, values.data(), updates), m.size());
-    ASSERT_EQ(factorize(factor, m, 0.5, one_thread.data(), single_updates), m.size());
+    ASSERT_EQ(factorize(factor, m, 0.5, one_thread.data(), updates), m.size());
     to_single_precision(factor, values.data(), rounded.data());
     for (std::size_t i = 0; i < factor.values; ++i)  // also those above the diagonal, which are 0
       ASSERT_NEAR(one_thread[i], rounded[i], 1e-4) << i;
     Team team(3);
     const WithTeam with(&team);
-    ASSERT_EQ(factorize(factor, m, 0.5, three.data(), single_updates), m.size());
+    ASSERT_EQ(factorize(factor, m, 0.5, three.data(), updates), m.size());
     EXPECT_EQ(one_thread, three);
   }
 }
@@ -151,7 +150,7 @@ TEST(Multifrontal, SubtreesGiveTheSameBitsToAnyNumberOfThreads) {
     for (Team* asked : {static_cast<Team*>(nullptr), &team}) {
       const WithTeam with(asked);
       std::vector<double> values(factor.values);
-      Buffer<double> updates;
+      Buffer<std::byte> updates;
       ASSERT_EQ(factorize(factor, m, 0, values.data(), updates), m.size());
       found.push_back(solutions(factor, values.data()));
     }

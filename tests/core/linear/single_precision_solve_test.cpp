@@ -27,7 +27,7 @@ TEST(SinglePrecisionSolve, IsThatOfDoublePrecisionButForRounding) {
     const SparseSymmetric m = test::dominated(test::random_symmetric(seed), seed);
     const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m), 0);
     std::vector<double> values(factor.values);
-    Buffer<double> updates;
+    Buffer<std::byte> updates;
     ASSERT_EQ(factorize(factor, m, 0, values.data(), updates), m.size());
     Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(factor.solve_size(), -1, 2), work;
     Eigen::VectorXf single_x = x.cast<float>();
