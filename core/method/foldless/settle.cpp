@@ -13,6 +13,10 @@ namespace settling {
 /// Converged: the quadratic model promises less than this part of E, the more the nearer a full
 /// step was to Newton's, which leaves the less; at most
 constexpr double kSmallDecrement = 2e-4;
+/// Of a large mesh, whose last steps cost most: a triangle in the way bounds them, so that ten bring
+/// what the first one promises.
+constexpr double kSmallDecrementOfLarge = 2e-3;
+constexpr int kLargeFrom = 20000;  ///< vertices
 /// after a full step with the exact ∇²E, which squares what is left.
 constexpr double kSmallDecrementOfNewton = 1e-2;
 constexpr double kSmallStep = 1e-9;  ///< [D]
@@ -22,12 +26,12 @@ constexpr double kGainOfFlips = 1e-2;
 /// Triangles that a transport crushed can make the step with K useless.
 constexpr int kMostFailures = 3;
 
-bool is_converged(const VertexUpdate& update, double energy, double diagonal) {
-  const bool is_full = update.step_length == 1;
-  const double small = is_full
-                           ? std::min(kSmallDecrement / update.clamping, kSmallDecrementOfNewton)
-                           : kSmallDecrement;
-  return update.decrement <= small * energy || update.step_infinity_norm < kSmallStep * diagonal;
+bool is_converged(const VertexUpdate& update, double energy, const Workspace& work) {
+  const bool is_large = work.mesh.vertex_count() >= kLargeFrom;
+  double small = is_large ? kSmallDecrementOfLarge : kSmallDecrement;
+  if (update.step_length == 1) small = std::min(small / update.clamping, kSmallDecrementOfNewton);
+  return update.decrement <= small * energy ||
+         update.step_infinity_norm < kSmallStep * work.settings->diagonal;
 }
 
 /// K.
@@ -64,7 +68,7 @@ Steps<> settle(Workspace& work, SettleSettings settings) {
     bool is_settled = step >= kMostSteps;
     if (!has_failed && !is_settled) {
       E = value_of(work, scene);
-      if (is_converged(update, E, work.settings->diagonal)) {
+      if (is_converged(update, E, work)) {
         const double before = value_of(work, energy);
         descent.flip(work, energy.settings);
         is_settled = before - value_of(work, energy) <= kGainOfFlips * before;
