@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/energy/quadratic.h"
+#include "core/large_pages.h"
 
 namespace foldless {
 namespace {
@@ -59,8 +60,10 @@ Eigen::Matrix<double, 6, 6> block_of(const Mat2& curvature) {
 Objective::Objective(const MeshPair& mesh, const Constraints& constraints)
     : has_hard_handle_(static_cast<std::size_t>(mesh.vertex_count()), false),
       triangles_(Triangles::Constant(3, mesh.face_count(), -1)),
-      rest_(static_cast<std::size_t>(mesh.face_count())),
       guard_(mesh) {
+  const auto faces = static_cast<std::size_t>(mesh.face_count());
+  reserve_large_pages(rest_, faces);
+  rest_.resize(faces);
   for (int i = 0; i < constraints.count(); ++i) {
     const auto row = static_cast<std::size_t>(i);
     if (!constraints.soft[row])
