@@ -116,7 +116,7 @@ Triangles ActivePart::whole_triangles(const Triangles& part, int part_vertices) 
   return whole;
 }
 
-Points ActivePart::whole_points(const Points& part, const Points& then) const {
+Points ActivePart::whole_points(Points part, const Points& then) const {
   if (is_whole()) return part;  // after every step
   const Places vertices = places(is_active_vertex_, static_cast<int>(part.cols()));
   Points whole(2, vertices.count());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/method/method.h"
@@ -27,11 +28,11 @@ class ActivePart {
   Triangles whole_triangles(const Triangles& part, int part_vertices) const;
   /// Rest and deformed positions of the whole with those of the part, 2 × #V of the part, as they
   /// are now.
-  Points whole_rest(const Points& part) const { return whole_points(part, rest_); }
-  Points whole_deformed(const Points& part) const { return whole_points(part, deformed_); }
+  Points whole_rest(Points part) const { return whole_points(std::move(part), rest_); }
+  Points whole_deformed(Points part) const { return whole_points(std::move(part), deformed_); }
 
  private:
-  Points whole_points(const Points& part, const Points& then) const;
+  Points whole_points(Points part, const Points& then) const;
 
   Triangles triangles_;  ///< of the whole that the part was made of
   Points rest_, deformed_;

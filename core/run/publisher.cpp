@@ -96,8 +96,7 @@ bool Publisher::has_new_overlaps(const InjectivityReport& report) const {
   return !std::ranges::includes(overlaps_of_beginning_, report.overlapping_boundary_vertices);
 }
 
-std::shared_ptr<Snapshot> Publisher::snapshot_of(const Points& deformed,
-                                                 const Licence& licence) const {
+std::shared_ptr<Snapshot> Publisher::snapshot_of(Points deformed, const Licence& licence) const {
   const InjectivityReport report = checker_.check(deformed);
   if (!report.is_injective_inside() && !(licence.to_fold && deformed.allFinite())) return nullptr;
   if (!licence.to_overlap && has_new_overlaps(report)) return nullptr;
@@ -106,7 +105,7 @@ std::shared_ptr<Snapshot> Publisher::snapshot_of(const Points& deformed,
   snapshot->branch_vertices = report.branch_vertices;
   snapshot->overlapping_boundary_vertices =
       static_cast<int>(report.overlapping_boundary_vertices.size()) + idle_overlaps_;
-  snapshot->deformed = part_.whole_deformed(deformed);
+  snapshot->deformed = part_.whole_deformed(std::move(deformed));
   return snapshot;
 }
 

@@ -48,7 +48,7 @@ class Publisher {
  private:
   void adopt_connectivity(const Triangles& triangles, const Points& rest);
   bool has_new_overlaps(const InjectivityReport& report) const;
-  std::shared_ptr<Snapshot> snapshot_of(const Points& deformed, const Licence& licence) const;
+  std::shared_ptr<Snapshot> snapshot_of(Points deformed, const Licence& licence) const;
 
   OriginalEdges original_edges_;
   ActivePart part_;
