@@ -13,8 +13,8 @@ namespace settling {
 /// Converged: the quadratic model promises less than this part of E, the more the nearer a full
 /// step was to Newton's, which leaves the less; at most
 constexpr double kSmallDecrement = 2e-4;
-/// Of a large mesh, whose last steps cost most: a triangle in the way bounds them, so that ten bring
-/// what the first one promises.
+/// Of a large mesh, whose last steps cost most: a triangle in the way bounds them, so that ten
+/// bring what the first one promises.
 constexpr double kSmallDecrementOfLarge = 2e-3;
 constexpr int kLargeFrom = 20000;  ///< vertices
 /// after a full step with the exact ∇²E, which squares what is left.
