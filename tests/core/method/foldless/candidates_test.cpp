@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <utility>
 
 #include "core/method/foldless/approach.h"
@@ -28,11 +27,8 @@ OwnWorkspace workspace_for(const Problem& problem, const MeshPair& mesh) {
 
 TEST(Candidates, AreLeftWhenTheyHaveTakenTheirFactorizationsAndElseEndAsByThemselves) {
   int left = 0, ended = 0;
-  std::stop_source stopped;
-  stopped.request_stop();
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    std::mt19937_64 random(seed);
     const Problem problem = seed % 2 == 0 ? test::random_problem(seed) : test::trading_places(seed);
     OwnWorkspace alone = workspace_for(problem, problem.mesh),
                  bounded = workspace_for(problem, problem.mesh);
@@ -40,15 +36,14 @@ TEST(Candidates, AreLeftWhenTheyHaveTakenTheirFactorizationsAndElseEndAsByThemse
     constexpr int kMost = 30;
     StageRunner<std::optional<Progress>> runner(
         within(kMost, bounded.effort, approach(bounded.work, FactorUse::own)));
-    while (!runner.has_ended()) {
-      const Points before = bounded.work.mesh.deformed();
-      const bool stops = random() % 4 == 0;
-      const auto record = runner.step(stops ? stopped.get_token() : std::stop_token());
-      if (!record) {
+    Points before = bounded.work.mesh.deformed();
+    test::run_with_cancels(runner, seed, [&](bool was_cancelled) {
+      if (was_cancelled) {
         EXPECT_EQ(bounded.work.mesh.deformed(), before);
       }
-      ASSERT_TRUE(test::is_valid(bounded.work.mesh));
-    }
+      before = bounded.work.mesh.deformed();
+      EXPECT_TRUE(test::is_valid(bounded.work.mesh));
+    });
     const std::optional<Progress> result = runner.result();
     if (alone.effort.factorizations < kMost) {
       ++ended;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <utility>
 
 #include "core/mesh/generate.h"
@@ -45,11 +44,8 @@ double distortion_energy(const Workspace& work) {
 TEST(Hop, IsValidWhateverIsCancelledAndEndsWithNoMoreEnergyUnlessItWasCrushed) {
   int lower = 0, cancelled = 0;
   double logarithms = 0;
-  std::stop_source stopped;
-  stopped.request_stop();
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    std::mt19937_64 random(seed);
     OwnWorkspace own = trading_workspace(seed);
     Workspace& work = own.work;
     if (!arrives_and_settles(own)) continue;
@@ -57,16 +53,14 @@ TEST(Hop, IsValidWhateverIsCancelledAndEndsWithNoMoreEnergyUnlessItWasCrushed) {
     const double most_distortion = most_distortion_beside(work.mesh);
     const bool was_crushed = is_crushed(work.mesh);
     StageRunner<void> runner(hop(work));
-    while (!runner.has_ended()) {
-      const bool stops = random() % 4 == 0;
-      const int factorizations = own.effort.factorizations;
-      const auto record = runner.step(stops ? stopped.get_token() : std::stop_token());
-      if (!record) {
-        ++cancelled;
+    int factorizations = own.effort.factorizations;
+    cancelled += test::run_with_cancels(runner, seed, [&](bool was_cancelled) {
+      if (was_cancelled) {
         EXPECT_EQ(own.effort.factorizations, factorizations);
       }
-      ASSERT_TRUE(test::is_valid(work.mesh));
-    }
+      factorizations = own.effort.factorizations;
+      EXPECT_TRUE(test::is_valid(work.mesh));
+    });
     EXPECT_EQ(work.error(), 0);
     if (!was_crushed) {
       EXPECT_LE(distortion_energy(work), before);

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -23,11 +22,8 @@ using test::StageRunner;
 
 TEST(RefineCrushed, GivesRoomBetweenHandlesAndIsValidWhateverIsCancelled) {
   int cancelled = 0, crushed = 0, uncrushed = 0;
-  std::stop_source stopped;
-  stopped.request_stop();
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    std::mt19937_64 random(seed);
     OwnWorkspace own = test::held_frame(seed, 9);
     Workspace& work = own.work;
     const int choice = static_cast<int>(seed % 3);
@@ -38,11 +34,8 @@ TEST(RefineCrushed, GivesRoomBetweenHandlesAndIsValidWhateverIsCancelled) {
     const double distortion = largest_distortion(work.mesh), energy = settled_energy(work);
     const int vertices = work.mesh.vertex_count();
     StageRunner<void> runner(refine_crushed(work));
-    while (!runner.has_ended()) {
-      const bool stops = random() % 4 == 0;
-      if (!runner.step(stops ? stopped.get_token() : std::stop_token())) ++cancelled;
-      ASSERT_TRUE(test::is_valid(work.mesh));
-    }
+    cancelled +=
+        test::run_with_cancels(runner, seed, [&](bool) { EXPECT_TRUE(test::is_valid(work.mesh)); });
     ++crushed;
     if (!is_crushed(work.mesh)) ++uncrushed;
     EXPECT_EQ(work.error(), 0);

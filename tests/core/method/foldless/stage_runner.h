@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <random>
 #include <stop_token>
 #include <utility>
 #include <vector>
@@ -42,6 +44,23 @@ class StageRunner {
   Steps<T> steps_;
   std::vector<Iteration> records_;
 };
+
+/// Runs a stage to its end, a fourth of its updates cancelled at random. Calls after(was_cancelled)
+/// after every one and returns how many were.
+template <typename T, typename After>
+int run_with_cancels(StageRunner<T>& runner, std::uint64_t seed, const After& after) {
+  std::mt19937_64 random(seed);
+  std::stop_source stopped;
+  stopped.request_stop();
+  int cancelled = 0;
+  while (!runner.has_ended()) {
+    const bool stops = random() % 4 == 0;
+    const bool was_cancelled = !runner.step(stops ? stopped.get_token() : std::stop_token());
+    cancelled += was_cancelled;
+    after(was_cancelled);
+  }
+  return cancelled;
+}
 
 /// The result of a stage that runs to its end.
 template <typename T>

@@ -26,29 +26,25 @@ double rest_area(const MeshPair& mesh) {
 
 TEST(Tidy, IsValidWhateverIsCancelledAndKeepsOriginalVerticesAndRestArea) {
   int removed = 0, cancelled = 0;
-  std::stop_source stopped;
-  stopped.request_stop();
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    std::mt19937_64 random(seed);
     OwnWorkspace own = arrived_workspace(seed, 30);
     Workspace& work = own.work;
     const MeshPair before = work.mesh;
     const int kept = before.vertex_count() - 30;
     ASSERT_EQ(own.settings.first_removable, kept);
     StageRunner<void> runner(tidy(work));
-    while (!runner.has_ended()) {
-      const bool stops = random() % 3 == 0;
-      const Points u = work.mesh.deformed();
-      const std::uint64_t revision = work.mesh.revision();
-      const auto record = runner.step(stops ? stopped.get_token() : std::stop_token());
-      if (!record) {
-        ++cancelled;
+    Points u = work.mesh.deformed();
+    std::uint64_t revision = work.mesh.revision();
+    cancelled += test::run_with_cancels(runner, seed, [&](bool was_cancelled) {
+      if (was_cancelled) {
         EXPECT_EQ(work.mesh.deformed(), u);
         EXPECT_EQ(work.mesh.revision(), revision);
       }
-      ASSERT_TRUE(test::is_valid(work.mesh));
-    }
+      u = work.mesh.deformed();
+      revision = work.mesh.revision();
+      EXPECT_TRUE(test::is_valid(work.mesh));
+    });
     removed += before.vertex_count() - work.mesh.vertex_count();
     EXPECT_EQ(work.mesh.rest().leftCols(kept), before.rest().leftCols(kept));
     EXPECT_NEAR(rest_area(work.mesh), rest_area(before), 1e-12);
