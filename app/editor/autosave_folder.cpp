@@ -28,6 +28,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t kCopies = 5;
 constexpr const char* kLock = "lock";
 constexpr const char* kOrigin = "origin.json";
+constexpr const char* kNew = ".new-";  ///< begins the name of a folder that is being made
+/// Another process may be about to lock a younger one.
+constexpr std::chrono::hours kLeftOverAfter{1};
 
 /// The number of a copy by its file name, `000012.json`.
 std::optional<int> number_of(const fs::path& file) {
@@ -81,11 +84,11 @@ AutosaveFolder AutosaveFolder::create(const fs::path& root) {
   fs::create_directories(root, error);
   if (error) fail(root, error.message());
   // Not seen by find_lost_work() before it is locked.
-  std::string hidden = (root / ".new-XXXXXX").string();
+  std::string hidden = (root / (kNew + std::string("XXXXXX"))).string();
   if (!mkdtemp(hidden.data())) fail(root, std::strerror(errno));
   AutosaveFolder folder(hidden, locked(fs::path(hidden) / kLock, O_CREAT));
   int failure = folder.lock_ < 0 ? errno : 0;
-  const fs::path path = root / fs::path(hidden).filename().string().substr(5);
+  const fs::path path = root / fs::path(hidden).filename().string().substr(std::strlen(kNew));
   if (failure == 0 && ::rename(hidden.c_str(), path.c_str()) != 0) failure = errno;
   if (failure != 0) {
     folder.remove();
@@ -169,6 +172,21 @@ void AutosaveFolder::remove() {
   release();
 }
 
+namespace {
+
+/// Removes what a process left that was ended while it made a folder.
+void remove_left_over(const fs::path& hidden) {
+  std::error_code error;
+  const auto made = fs::last_write_time(hidden, error);
+  if (error || fs::file_time_type::clock::now() - made < kLeftOverAfter) return;
+  if (std::optional<AutosaveFolder> folder = AutosaveFolder::take(hidden))
+    folder->remove();
+  else
+    fs::remove(hidden, error);  // where it is empty
+}
+
+}  // namespace
+
 LostWork find_lost_work(const fs::path& root) {
   LostWork lost;
   std::vector<std::pair<fs::file_time_type, AutosaveFolder>> found;
@@ -190,8 +208,10 @@ LostWork find_lost_work(const fs::path& root) {
     }
   };
   bear([&] {
-    for (const std::string& name : all_names_in_folder(root))
+    for (const std::string& name : all_names_in_folder(root)) {
+      if (name.starts_with(kNew)) bear([&] { remove_left_over(root / name); });
       if (!name.starts_with('.')) bear([&] { look_at(root / name); });
+    }
   });
   std::ranges::sort(found, std::greater{}, [](const auto& one) { return one.first; });
   for (auto& [time, folder] : found) lost.folders.push_back(std::move(folder));

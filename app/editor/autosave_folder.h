@@ -61,8 +61,8 @@ struct LostWork {
   std::string problem;  ///< why there may be more; one sentence, empty: there is not
 };
 
-/// Looks for it in `root`. Folders without copies are removed on the way; what cannot be read
-/// stays.
+/// Looks for it in `root`. Folders without copies are removed on the way, also those that somebody
+/// began to make an hour ago and did not end; what cannot be read stays.
 LostWork find_lost_work(const std::filesystem::path& root);
 
 /// When a copy was written, as "today 14:05", "yesterday 23:10" or "21 Nov 2026, 09:30".

@@ -96,6 +96,31 @@ TEST_F(AutosaveFolderTest, FoldersWithoutCopiesAreNoLostWork) {
   EXPECT_TRUE(fs::exists(root() / "something")) << "no folder of ours: it has no lock";
 }
 
+TEST_F(AutosaveFolderTest, WhatWasLeftWhileAFolderWasMadeIsRemovedWhenItIsOld) {
+  const auto make = [&](const char* name, bool has_lock, std::chrono::minutes age) {
+    const fs::path path = root() / name;
+    fs::create_directories(path);
+    if (has_lock) std::ofstream(path / "lock").flush();
+    fs::last_write_time(path, fs::file_time_type::clock::now() - age);
+    return path;
+  };
+  using std::chrono::minutes;
+  const fs::path empty = make(".new-Ab3dEf", false, minutes(70)),
+                 unlocked = make(".new-Bb3dEf", true, minutes(70)),
+                 young = make(".new-Cb3dEf", true, minutes(50)),
+                 of_others = make(".newer", false, minutes(70));
+  const fs::path filled = root() / ".new-Db3dEf";
+  fs::create_directory(filled);
+  std::ofstream(filled / "drawing.svg").flush();
+  fs::last_write_time(filled, fs::file_time_type::clock::now() - minutes(70));
+  EXPECT_EQ(lost(), 0U);
+  EXPECT_FALSE(fs::exists(empty));
+  EXPECT_FALSE(fs::exists(unlocked));
+  EXPECT_TRUE(fs::exists(young));
+  EXPECT_TRUE(fs::exists(of_others));
+  EXPECT_TRUE(fs::exists(filled / "drawing.svg"));
+}
+
 TEST_F(AutosaveFolderTest, WhereItCannotBeMadeThatIsSaid) {
   folder_.write("state", "a file");
   try {
