@@ -13,17 +13,28 @@ constexpr double kLeastGainOfSinglePrecision = 1e-4;
 
 ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
                                               Cholesky& factor,
-                                              const ConjugateGradientSettings& settings) {
+                                              const ConjugateGradientSettings& settings,
+                                              const Eigen::VectorXd& guess) {
   ConjugateGradientSolution solution{Eigen::VectorXd::Zero(b.size())};
   const auto precondition = [&](const Eigen::VectorXd& r) {
     return settings.least_gain >= kLeastGainOfSinglePrecision ? factor.precondition(r)
                                                               : factor.solve(r);
   };
   Eigen::VectorXd residual = b;
-  Eigen::VectorXd direction = precondition(residual);
   Eigen::VectorXd image(b.size());
-  double norm = residual.dot(direction);
   double decrease = 0;
+  if (guess.size() == b.size()) {
+    multiply(A, guess, image);
+    const double along = b.dot(guess), curvature = guess.dot(image);
+    if (along > 0 && curvature > 0) {
+      const double length = along / curvature;
+      solution.x = length * guess;
+      residual -= length * image;
+      decrease = 0.5 * length * along;
+    }
+  }
+  Eigen::VectorXd direction = precondition(residual);
+  double norm = residual.dot(direction);
   while (!(norm <= 0)) {
     multiply(A, direction, image);
     const double curvature = direction.dot(image);

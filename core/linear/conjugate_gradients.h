@@ -31,10 +31,13 @@ struct ConjugateGradientSolution {
 };
 
 /// Solves A x = b by conjugate gradients, preconditioned with the factor that `factor` holds, of a
-/// positive definite matrix that is near A. A solve and a product with A an iteration.
-/// Precondition: factor.has_factor(), of as many rows as A.
+/// positive definite matrix that is near A. A solve and a product with A an iteration. They begin
+/// at the multiple of `guess` that lowers ½xᵀAx − bᵀx most, which counts as what was done; at 0
+/// where it is of another size or none lowers it. Precondition: factor.has_factor(), of as many
+/// rows as A.
 ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
                                               Cholesky& factor,
-                                              const ConjugateGradientSettings& settings);
+                                              const ConjugateGradientSettings& settings,
+                                              const Eigen::VectorXd& guess = {});
 
 }  // namespace foldless

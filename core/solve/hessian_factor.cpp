@@ -49,10 +49,11 @@ bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision preci
 
 std::optional<ConjugateGradientSolution> HessianFactor::solve_later(const Hessian& hessian,
                                                                     const Eigen::VectorXd& b,
-                                                                    double least_gain) {
+                                                                    double least_gain,
+                                                                    const Eigen::VectorXd& guess) {
   if (!is_near(hessian.kind)) return std::nullopt;
   ConjugateGradientSolution solution =
-      conjugate_gradients(hessian.matrix, b, cholesky_, {least_gain, kMostLaggedIterations});
+      conjugate_gradients(hessian.matrix, b, cholesky_, {least_gain, kMostLaggedIterations}, guess);
   if (solution.end == ConjugateGradientEnd::stopped) return std::nullopt;
   is_near_ = solution.iterations < kIterationsOfAFarFactor;
   if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;

@@ -5,13 +5,15 @@ namespace foldless {
 namespace {
 
 constexpr double kLeastGain = 1e-2;
-/// Where handles are carried there is no line search that would mend a rough step.
-constexpr double kLeastGainOfACarry = 1e-3;
+/// Where handles are carried there is no line search that would mend a rough step, and after a
+/// good guess little gain does not say that little is left.
+constexpr double kLeastGainOfACarry = 1e-4;
 
 std::optional<LaggedStep> lagged_step(NewtonSystem& system, const Eigen::VectorXd& right_hand_side,
-                                      double least_gain) {
+                                      double least_gain, const Eigen::VectorXd& guess = {}) {
   StageTimer timer(system.effort().times.solve);
-  const auto solution = system.factor().solve_later(system.hessian(), right_hand_side, least_gain);
+  const auto solution =
+      system.factor().solve_later(system.hessian(), right_hand_side, least_gain, guess);
   if (!solution) return std::nullopt;
   if (solution->end == ConjugateGradientEnd::indefinite) return LaggedStep{{}, true};
   return LaggedStep{solution->x.reshaped(2, solution->x.size() / 2), false};
@@ -41,7 +43,8 @@ Points carrying_step(NewtonSystem& system, const EnergySettings& settings, const
                      const Points& way) {
   StageTimer timer(system.effort().times.solve);
   const Eigen::VectorXd pull = system.objective().pull_of_handles(settings, u, way);
-  return system.factor().solve(-system.gradient() - pull).reshaped(2, way.cols()) + way;
+  system.following() = system.factor().solve(-system.gradient() - pull);
+  return system.following().reshaped(2, way.cols()) + way;
 }
 
 std::optional<LaggedStep> lagged_newton_step(NewtonSystem& system) {
@@ -52,9 +55,11 @@ std::optional<LaggedStep> lagged_carrying_step(NewtonSystem& system, const Energ
                                                const Points& u, const Points& way) {
   if (!system.factor().is_near(system.hessian().kind)) return std::nullopt;
   const Eigen::VectorXd pull = system.objective().pull_of_handles(settings, u, way);
-  std::optional<LaggedStep> lagged =
-      lagged_step(system, -system.gradient() - pull, kLeastGainOfACarry);
-  if (lagged && !lagged->is_indefinite) lagged->step += way;
+  std::optional<LaggedStep> lagged =  // a drag goes on much as it went
+      lagged_step(system, -system.gradient() - pull, kLeastGainOfACarry, system.following());
+  if (!lagged || lagged->is_indefinite) return lagged;
+  system.following() = lagged->step.reshaped();
+  lagged->step += way;
   return lagged;
 }
 

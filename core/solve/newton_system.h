@@ -38,6 +38,8 @@ class NewtonSystem {
 
   /// Tell it when the vertices moved: HessianFactor::outdate().
   HessianFactor& factor() { return factor_; }
+  /// How the vertices followed when handles were carried last, 2 #V; empty before that.
+  Eigen::VectorXd& following() { return following_; }
 
  private:
   void outdate_pattern(const MeshPair& mesh, int changed_edges);
@@ -48,6 +50,7 @@ class NewtonSystem {
   bool has_pattern_ = false;  ///< hessian_ has that of the connectivity as it is
   EnergyGradient first_order_;
   HessianFactor factor_;
+  Eigen::VectorXd following_;
 };
 
 }  // namespace foldless

@@ -57,6 +57,28 @@ TEST(Multiply, IsTheProductOfTheWholeMatrix) {
   }
 }
 
+TEST(ConjugateGradients, BeginAtTheBestMultipleOfAGuess) {
+  const SparseSymmetric m = random_matrix(60, 5);
+  Cholesky factor = factor_of(changed(m, 10));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  const Eigen::VectorXd exact = test::dense(m).ldlt().solve(b);
+  const Eigen::VectorXd near = exact + 0.01 * Eigen::VectorXd::LinSpaced(m.size(), 1, -1);
+  const auto solve = [&](const Eigen::VectorXd& guess, double least_gain) {
+    return conjugate_gradients(m, b, factor, {least_gain, 50}, guess);
+  };
+  const ConjugateGradientSolution cold = solve({}, kLeastGain);
+  EXPECT_LT((cold.x - exact).norm(), 1e-6 * exact.norm());
+  // Where the guess is the solution but for its length there is nothing to do.
+  const ConjugateGradientSolution warm = solve(-7 * -exact, kLeastGain);
+  EXPECT_LT(warm.iterations, 2);
+  EXPECT_LT((warm.x - exact).norm(), 1e-12 * exact.norm());
+  EXPECT_LT(solve(near, 1e-4).iterations, solve({}, 1e-4).iterations);
+  EXPECT_LT((solve(near, kLeastGain).x - exact).norm(), 1e-6 * exact.norm());
+  // None that is of another size or that leads uphill.
+  for (const Eigen::VectorXd& guess : {Eigen::VectorXd(-exact), Eigen::VectorXd(exact.head(4))})
+    EXPECT_EQ(solve(guess, kLeastGain).x, cold.x);
+}
+
 TEST(ConjugateGradients, GiveUpWhereTheFactorGivesNoNumbers) {
   SparseSymmetric tiny = random_matrix(20, 3);
   for (double& value : tiny.value) value *= 1e-42;
