@@ -32,7 +32,8 @@ void Cholesky::analyze(const SparseSymmetric& matrix, bool keep_ordering) {
 
 bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision precision) {
   has_factor_ = single_is_of_the_factor_ = false;
-  if (precision == Precision::single && solves_in_single_precision()) {
+  precision_ = solves_in_single_precision() ? precision : Precision::full;
+  if (precision_ == Precision::single) {
     float* single = new_single();
     has_factor_ = foldless::factorize(*symbolic_, matrix, shift, single, work_.updates, token_) ==
                   matrix.size();

@@ -36,6 +36,8 @@ class Cholesky {
   bool is_analyzed() const { return symbolic_ != nullptr; }
   /// True when the last factorization succeeded and nothing was analysed since.
   bool has_factor() const { return has_factor_; }
+  /// That of the last factorization.
+  Precision precision() const { return precision_; }
   /// Solves with the factor. Precondition: has_factor(), in full precision.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side);
   /// The same to about five digits where the factor is well conditioned: in single precision, which
@@ -63,6 +65,7 @@ class Cholesky {
   std::shared_ptr<Buffer<double>> values_;
   std::shared_ptr<Buffer<float>> single_;
   bool single_is_of_the_factor_ = false;
+  Precision precision_ = Precision::full;
   Work work_;
   std::stop_token token_;
   bool has_factor_ = false;

@@ -16,9 +16,10 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
                                               const ConjugateGradientSettings& settings,
                                               const Eigen::VectorXd& guess) {
   ConjugateGradientSolution solution{Eigen::VectorXd::Zero(b.size())};
+  const bool is_single =
+      settings.least_gain >= kLeastGainOfSinglePrecision || factor.precision() == Precision::single;
   const auto precondition = [&](const Eigen::VectorXd& r) {
-    return settings.least_gain >= kLeastGainOfSinglePrecision ? factor.precondition(r)
-                                                              : factor.solve(r);
+    return is_single ? factor.precondition(r) : factor.solve(r);
   };
   Eigen::VectorXd residual = b;
   Eigen::VectorXd image(b.size());

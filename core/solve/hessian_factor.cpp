@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solve/hessian_factor.h"
 
+#include "core/linear/single_precision_solve.h"
+
 namespace foldless {
 namespace {
 
@@ -37,7 +39,8 @@ void HessianFactor::analyze(const SparseSymmetric& matrix) {
 }
 
 bool HessianFactor::is_single_worth_while(const Hessian& hessian) const {
-  return !is_single_too_rough_ && hessian.matrix.size() >= kSingleFrom;
+  return solves_in_single_precision() && !is_single_too_rough_ &&
+         hessian.matrix.size() >= kSingleFrom;
 }
 
 bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision precision) {

@@ -79,6 +79,18 @@ TEST(ConjugateGradients, BeginAtTheBestMultipleOfAGuess) {
     EXPECT_EQ(solve(guess, kLeastGain).x, cold.x);
 }
 
+TEST(ConjugateGradients, MakeUpForAFactorInSinglePrecision) {
+  const SparseSymmetric m = random_matrix(60, 5);
+  Cholesky factor;
+  factor.analyze(m);
+  ASSERT_TRUE(factor.factorize(m, 0, Precision::single));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  const Eigen::VectorXd exact = test::dense(m).ldlt().solve(b);
+  const ConjugateGradientSolution solution = conjugate_gradients(m, b, factor, {1e-26, 8});
+  EXPECT_EQ(solution.end, ConjugateGradientEnd::converged);
+  EXPECT_LT((solution.x - exact).norm(), 1e-12 * exact.norm());
+}
+
 TEST(ConjugateGradients, GiveUpWhereTheFactorGivesNoNumbers) {
   SparseSymmetric tiny = random_matrix(20, 3);
   for (double& value : tiny.value) value *= 1e-42;

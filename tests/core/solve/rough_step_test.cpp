@@ -61,6 +61,7 @@ TEST(RoughStep, IsNearlyNewtons) {
 }
 
 TEST(RoughStep, IsNearlyThatOfTheClampedHessian) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor solves in doubles alone";
   BentGrid bent;
   NewtonSystem system = bent.system();
   system.assemble(bent.energy, bent.mesh.deformed(), 1);
@@ -71,7 +72,6 @@ TEST(RoughStep, IsNearlyThatOfTheClampedHessian) {
   const Points newton = newton_step(system);
   const double difference = (rough->step - newton).norm() / newton.norm();
   EXPECT_LT(difference, 1e-3);
-  if (!solves_in_single_precision()) return;
   EXPECT_GT(difference, 1e-12) << "it is of a factor in full precision";
 }
 
@@ -97,7 +97,7 @@ TEST(RoughStep, IsForLargeMeshes) {
   few.assemble(small.energy, small.mesh.deformed());
   many.assemble(large.energy, large.mesh.deformed());
   EXPECT_FALSE(few.factor().is_single_worth_while(few.hessian()));
-  EXPECT_TRUE(many.factor().is_single_worth_while(many.hessian()));
+  EXPECT_EQ(many.factor().is_single_worth_while(many.hessian()), solves_in_single_precision());
 }
 
 TEST(RoughStep, IsGivenUpForGoodWhereATriangleIsCrushed) {
@@ -118,6 +118,7 @@ TEST(RoughStep, IsGivenUpForGoodWhereATriangleIsCrushed) {
 }
 
 TEST(RoughStep, StoppedIsNotGivenUp) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor solves in doubles alone";
   BentGrid bent;
   NewtonSystem system = bent.system();
   system.assemble(bent.energy, bent.mesh.deformed(), 1);
