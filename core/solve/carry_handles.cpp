@@ -41,7 +41,7 @@ VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& e
   system.assemble(energy, mesh.deformed(), 1);
   const Points way = way_of_handles(mesh, constraints);
   const auto lagged_step = [&] {
-    return lagged_carrying_step(system, settings, mesh.deformed(), way);
+    return lagged_carrying_step(system, energy.settings, mesh.deformed(), way);
   };
   std::optional<LaggedStep> lagged = lagged_step();
   if (!lagged || lagged->is_indefinite) lagged = rough_clamped_step(system, token, lagged_step);
