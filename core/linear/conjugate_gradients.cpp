@@ -13,8 +13,7 @@ constexpr double kLeastGainOfSinglePrecision = 1e-4;
 
 ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
                                               Cholesky& factor,
-                                              const ConjugateGradientSettings& settings,
-                                              const Eigen::VectorXd& guess) {
+                                              const ConjugateGradientSettings& settings) {
   ConjugateGradientSolution solution{Eigen::VectorXd::Zero(b.size())};
   const bool is_single =
       settings.least_gain >= kLeastGainOfSinglePrecision || factor.precision() == Precision::single;
@@ -24,7 +23,8 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
   Eigen::VectorXd residual = b;
   Eigen::VectorXd image(b.size());
   double decrease = 0;
-  if (guess.size() == b.size()) {
+  if (settings.guess && settings.guess->size() == b.size()) {
+    const Eigen::VectorXd& guess = *settings.guess;
     multiply(A, guess, image);
     const double along = b.dot(guess), curvature = guess.dot(image);
     if (along > 0 && curvature > 0) {

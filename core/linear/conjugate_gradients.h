@@ -13,6 +13,9 @@ struct ConjugateGradientSettings {
   double least_gain = 0;  ///< an iteration that lowers ½xᵀAx − bᵀx by less than this part of what
                           ///< all did is the last [NS90]
   int most_iterations = 0;  ///< > 0; the method gives up after so many
+  /// They begin at the multiple of it that lowers ½xᵀAx − bᵀx most, which counts as what was done;
+  /// at 0 where there is none, or of another size, or no multiple > 0 lowers it.
+  const Eigen::VectorXd* guess = nullptr;
 };
 
 /// How conjugate_gradients() ended.
@@ -31,13 +34,10 @@ struct ConjugateGradientSolution {
 };
 
 /// Solves A x = b by conjugate gradients, preconditioned with the factor that `factor` holds, of a
-/// positive definite matrix that is near A. A solve and a product with A an iteration. They begin
-/// at the multiple of `guess` that lowers ½xᵀAx − bᵀx most, which counts as what was done; at 0
-/// where it is of another size or none lowers it. Precondition: factor.has_factor(), of as many
-/// rows as A.
+/// positive definite matrix that is near A. A solve and a product with A an iteration.
+/// Precondition: factor.has_factor(), of as many rows as A.
 ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
                                               Cholesky& factor,
-                                              const ConjugateGradientSettings& settings,
-                                              const Eigen::VectorXd& guess = {});
+                                              const ConjugateGradientSettings& settings);
 
 }  // namespace foldless

@@ -80,9 +80,9 @@ void plain_subtract_and_solve(const ColumnStrip<Value>& s, const Value* triangle
 
 template <class Value>
 const DenseKernels<Value>& plain_kernels() {
-  static constexpr DenseKernels<Value> kernels = {
+  static constexpr DenseKernels<Value> kKernels = {
       "plain", plain_subtract<Value>, plain_set_negative<Value>, plain_subtract_and_solve<Value>};
-  return kernels;
+  return kKernels;
 }
 
 template <class Value>

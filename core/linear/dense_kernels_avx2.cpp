@@ -124,9 +124,9 @@ FOLDLESS_AVX2 void avx2_subtract_and_solve(const ColumnStrip<typename Lane::Valu
 
 template <class Lane>
 const DenseKernels<typename Lane::Value>* avx2_kernels_of() {
-  static constexpr DenseKernels<typename Lane::Value> kernels = {
+  static constexpr DenseKernels<typename Lane::Value> kKernels = {
       "AVX2", avx2_subtract<Lane>, avx2_set_negative<Lane>, avx2_subtract_and_solve<Lane>};
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &kernels : nullptr;
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &kKernels : nullptr;
 }
 
 }  // namespace

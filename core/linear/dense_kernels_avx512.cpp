@@ -96,12 +96,12 @@ FOLDLESS_AVX512 void avx512_subtract_and_solve(const ColumnStrip<typename Lane::
 
 template <class Lane>
 const DenseKernels<typename Lane::Value>* avx512_kernels_of() {
-  static constexpr DenseKernels<typename Lane::Value> kernels = {
+  static constexpr DenseKernels<typename Lane::Value> kKernels = {
       "AVX-512", avx512_subtract<Lane>, avx512_set_negative<Lane>, avx512_subtract_and_solve<Lane>};
   // The first generation with AVX-512 lowers its clock for it; the later ones have VBMI2 too.
   const bool is_worth_while =
       __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vbmi2");
-  return is_worth_while && avx2_kernels<typename Lane::Value>() ? &kernels : nullptr;
+  return is_worth_while && avx2_kernels<typename Lane::Value>() ? &kKernels : nullptr;
 }
 
 }  // namespace

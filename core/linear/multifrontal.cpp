@@ -174,8 +174,8 @@ class Multifrontal {
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
 template <class Value>
+// NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
               Value* values, Buffer<std::byte>& updates, const std::stop_token& token) {
   updates.reserve(factor.updates * sizeof(Value));

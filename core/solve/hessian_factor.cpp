@@ -55,8 +55,8 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(const Hessia
                                                                     double least_gain,
                                                                     const Eigen::VectorXd& guess) {
   if (!is_near(hessian.kind)) return std::nullopt;
-  ConjugateGradientSolution solution =
-      conjugate_gradients(hessian.matrix, b, cholesky_, {least_gain, kMostLaggedIterations}, guess);
+  ConjugateGradientSolution solution = conjugate_gradients(
+      hessian.matrix, b, cholesky_, {least_gain, kMostLaggedIterations, &guess});
   if (solution.end == ConjugateGradientEnd::stopped) return std::nullopt;
   is_near_ = solution.iterations < kIterationsOfAFarFactor;
   if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;

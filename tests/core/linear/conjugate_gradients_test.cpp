@@ -64,7 +64,7 @@ TEST(ConjugateGradients, BeginAtTheBestMultipleOfAGuess) {
   const Eigen::VectorXd exact = test::dense(m).ldlt().solve(b);
   const Eigen::VectorXd near = exact + 0.01 * Eigen::VectorXd::LinSpaced(m.size(), 1, -1);
   const auto solve = [&](const Eigen::VectorXd& guess, double least_gain) {
-    return conjugate_gradients(m, b, factor, {least_gain, 50}, guess);
+    return conjugate_gradients(m, b, factor, {least_gain, 50, &guess});
   };
   const ConjugateGradientSolution cold = solve({}, kLeastGain);
   EXPECT_LT((cold.x - exact).norm(), 1e-6 * exact.norm());
