@@ -182,7 +182,7 @@ void remove_left_over(const fs::path& hidden) {
   if (std::optional<AutosaveFolder> folder = AutosaveFolder::take(hidden))
     folder->remove();
   else
-    fs::remove(hidden, error);  // where it is empty
+    rmdir(hidden.c_str());  // where it is an empty folder
 }
 
 }  // namespace

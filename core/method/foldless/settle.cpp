@@ -13,12 +13,12 @@ namespace settling {
 /// Converged: the quadratic model promises less than this part of E, the more the nearer a full
 /// step was to Newton's, which leaves the less; at most
 constexpr double kSmallDecrement = 2e-4;
-/// Of a large mesh, whose last steps cost most: a triangle in the way bounds them, so that ten
-/// bring what the first one promises.
-constexpr double kSmallDecrementOfLarge = 2e-3;
-constexpr int kLargeFrom = 20000;  ///< vertices
 /// after a full step with the exact ∇²E, which squares what is left.
 constexpr double kSmallDecrementOfNewton = 1e-2;
+/// In place of the first, of a large mesh, whose last steps cost most: a triangle in the way bounds
+/// them, so that many bring what the first one promises.
+constexpr double kSmallDecrementOfLarge = 2e-3;
+constexpr int kLargeFrom = 20000;    ///< vertices
 constexpr double kSmallStep = 1e-9;  ///< [D]
 constexpr int kMostSteps = 300;
 /// Flips at the minimum start the descent again when they gain more than this part of E.

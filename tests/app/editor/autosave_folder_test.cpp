@@ -113,7 +113,11 @@ TEST_F(AutosaveFolderTest, WhatWasLeftWhileAFolderWasMadeIsRemovedWhenItIsOld) {
   fs::create_directory(filled);
   std::ofstream(filled / "drawing.svg").flush();
   fs::last_write_time(filled, fs::file_time_type::clock::now() - minutes(70));
+  const fs::path file = root() / ".new-notes";
+  std::ofstream(file) << "of somebody else";
+  fs::last_write_time(file, fs::file_time_type::clock::now() - minutes(70));
   EXPECT_EQ(lost(), 0U);
+  EXPECT_TRUE(fs::exists(file));
   EXPECT_FALSE(fs::exists(empty));
   EXPECT_FALSE(fs::exists(unlocked));
   EXPECT_TRUE(fs::exists(young));
