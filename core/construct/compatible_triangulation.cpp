@@ -165,6 +165,7 @@ std::optional<MeshPair> compatible_triangulation(const SlitDisks& disks, int mos
     if (const auto triangles = polygons.rest_triangles(deformed.triangles))
       rest.triangles = *triangles;
   }
+  if (rest.triangles.cols() == 0 || deformed.triangles.cols() == 0) return std::nullopt;
   return laid_over(rest, deformed);
 }
 

@@ -24,7 +24,7 @@ std::optional<MeshPair> compatible_triangulation(const Points& rest, const Point
 
 /// The same for polygons that are disks cut open along slits, and may have full turns at their
 /// tips. Larger ones than `most_corners` are not triangulated anew: their triangles i < j < k are
-/// given.
+/// given, or nothing is made.
 std::optional<MeshPair> compatible_triangulation(const SlitDisks& disks, int most_corners);
 
 }  // namespace foldless

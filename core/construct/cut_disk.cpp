@@ -7,6 +7,7 @@
 
 #include "core/construct/chord_triangulation.h"
 #include "core/construct/corner_order.h"
+#include "core/construct/in_circle.h"
 #include "core/mesh/orientation.h"
 
 namespace foldless {
@@ -15,20 +16,8 @@ namespace {
 constexpr double kForbidden = std::numeric_limits<double>::infinity();
 /// Rounding must not flip an edge for ever.
 constexpr int kMostRoundsOfFlips = 1000;
-/// The part of the determinant's bound from which it counts.
-constexpr double kLeastDeterminant = 1e-12;
 
 std::size_t ordinal(int index) { return static_cast<std::size_t>(index); }
-
-/// Whether d is inside of the circle through a, b, c, but for rounding.
-bool is_in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  Eigen::Matrix3d m;
-  int row = 0;
-  for (const Vec2& p : {Vec2(a - d), Vec2(b - d), Vec2(c - d)})
-    m.row(row++) << p.x(), p.y(), p.squaredNorm();
-  const double size = m.rowwise().norm().prod();
-  return m.determinant() > kLeastDeterminant * size;
-}
 
 }  // namespace
 

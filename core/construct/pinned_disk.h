@@ -14,14 +14,17 @@ struct PinnedVertices {
   std::vector<int> loop, inside;
 };
 
+/// Of classes of maps that with_pinned_disk() tells apart.
+inline constexpr int kClassesOfPinnedDisks = 4;
+
 /// A mesh with another map, and other triangles, of such a component: as with_held_disk(), and the
 /// vertices inside go to targets as well, those of the loop first in `targets`. The disk and its
-/// image are cut open along slits to these vertices, see slit_open(), and the polygons that are
-/// left mapped by compatible_triangulation(). Among the classes of maps that slits in other ways
-/// lead to, `choice` is 0 for the one with the shortest slits, then 1, 2, …; one that rounding
-/// spoils gives way to the next. Nothing where the targets bound no disk, those of vertices inside
-/// are not within, where a disk lies over itself there, and where rounding leaves a mesh that is
-/// not proved locally injective.
+/// image are cut open to these vertices, along the curves of a braid, see braided(), or along the
+/// shortest slits, see slit_open(), whichever leaves the simpler map, and the polygons that are
+/// left mapped by compatible_triangulation(). `choice`: of the class of maps, from 0 to
+/// kClassesOfPinnedDisks − 1; one that rounding spoils gives way to others. Nothing where the
+/// targets bound no disk, those of vertices inside are not within, where a disk lies over itself
+/// there, and where rounding leaves a mesh that is not proved locally injective.
 std::optional<MeshPair> with_pinned_disk(const MeshPair& mesh, const PinnedVertices& pinned,
                                          const Points& targets, int choice = 0);
 

@@ -5,24 +5,19 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <random>
 #include <utility>
 
 #include "core/construct/cut_disk.h"
+#include "core/construct/random_numbers.h"
 
 namespace foldless {
 namespace {
 
 /// Each takes about the square of the number of points.
 constexpr int kPointsOfAllWays = 400;
-constexpr int kLeastWays = 6, kMostWays = 32;
+constexpr int kLeastWays = 6, kMostWays = 8;
 /// Points are preferred by factors of up to this.
 constexpr double kLargestDelay = 3;
-
-/// The same on every machine, unlike distributions of the standard library.
-double random_delay(std::mt19937_64& random) {
-  return std::pow(kLargestDelay, static_cast<double>(random() >> 11) * 0x1p-53);
-}
 
 /// Both disks while they are cut. The vertices of points inside are the same in both.
 class Cutting {
@@ -147,11 +142,11 @@ std::vector<SlitDisks> slit_open(const DottedDisk& rest, const DottedDisk& defor
   if (!image) return {};
   const int points = static_cast<int>(rest.inside.cols());
   std::vector<SlitDisks> ways;
-  std::mt19937_64 random(1);
+  ConstructionRandom random(1);
   for (int way = 0; way < std::clamp(kPointsOfAllWays / points, kLeastWays, kMostWays); ++way) {
     std::vector<double> delays(static_cast<std::size_t>(points), 1);
     if (way > 0)
-      for (double& delay : delays) delay = random_delay(random);
+      for (double& delay : delays) delay = std::pow(kLargestDelay, random.uniform());
     Cutting cutting(*at_rest, *image, delays);
     if (cutting.cut_all()) ways.push_back(cutting.slit_disks());
   }

@@ -15,8 +15,8 @@ struct SlitDisks {
   /// the others bends of slits; those on both banks of a slit are one.
   std::vector<int> vertices;
   int vertex_count = 0;
-  Triangles rest_triangles, deformed_triangles;  ///< i < j < k
-  double length = 0;                             ///< of slits, in both, in diagonals
+  Triangles rest_triangles, deformed_triangles;  ///< i < j < k; none from braided()
+  double length = 0;  ///< of slits, in both, in diagonals; 0 from braided()
 };
 
 /// A disk with points inside.

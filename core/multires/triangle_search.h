@@ -20,7 +20,7 @@ class TriangleSearch {
 
  private:
   bool holds(int triangle, const Vec2& p) const;
-  double depth(int triangle, const Vec2& p) const;
+  double distance(int triangle, const Vec2& p) const;
 
   const MeshPair& mesh_;
   int searches_ = 0;

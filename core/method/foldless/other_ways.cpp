@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/construct/pinned_disk.h"
 #include "core/method/foldless/approach.h"
 
 namespace foldless {
@@ -14,7 +15,7 @@ namespace trying_ways {
 constexpr int kLargestInManyOrders = 5000;
 constexpr int kRandomOrders = 16;
 /// Of few handles several classes of maps are constructed, as each takes a second otherwise.
-constexpr int kClassesOfCuts = 4, kMostInManyClasses = 20;
+constexpr int kMostInManyClasses = 20;
 /// One of so many is refined when nothing else helped.
 constexpr int kLargestRefined = 2000;
 
@@ -39,7 +40,7 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
   };
   if (with_approach) ways.push_back({.kind = Way::Kind::approach});
   for (std::size_t i = 0; i < first; ++i) ways.push_back({.plan = plans[i]});
-  add_cuts(KnownBoundary::held, kClassesOfCuts);
+  add_cuts(KnownBoundary::held, kClassesOfPinnedDisks);
   for (const bool is_refined : {false, true})
     ways.push_back({.kind = Way::Kind::onwards, .is_refined = is_refined});
   for (std::size_t i = first; i < plans.size(); ++i)
