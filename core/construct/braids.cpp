@@ -19,7 +19,7 @@ constexpr int kStepsOfAMotion = 16;
 /// each of which is halved so often where triangles would fold.
 constexpr int kMostHalvings = 12;
 /// So many motions are tried at most, and fewer the more vertices there are: what one takes grows
-/// with their square.
+/// with their square. Half as many in all searches but the first.
 constexpr int kMostTries = 800;
 constexpr int kTriesTimesVerticesSquared = 4'000'000;
 /// The first motion goes this part of a way beside it at most, for points may meet on straight
@@ -52,9 +52,10 @@ class Motions {
         at_rest_(disk_.triangles, disk_.rest) {}
 
   const TriangulatedDisk& disk() const { return disk_; }
-  int tries() const {
+  int tries(int search) const {
     const auto vertices = static_cast<int>(disk_.rest.cols());
-    return std::min(kMostTries, kTriesTimesVerticesSquared / (vertices * vertices));
+    const int tries = std::min(kMostTries, kTriesTimesVerticesSquared / (vertices * vertices));
+    return search == 0 ? tries : tries / 2;
   }
 
   Motion straight(ConstructionRandom& random) const {
@@ -131,7 +132,7 @@ std::optional<SlitDisks> braided(const DottedDisk& rest, const DottedDisk& defor
   ConstructionRandom random(static_cast<std::uint64_t>(search) + 1);
   Motion best = motions.straight(random);
   std::optional<CarriedCurves> curves = motions.carried(best);
-  for (int tried = 0; tried < motions.tries(); ++tried) {
+  for (int tried = 0; tried < motions.tries(search); ++tried) {
     Motion motion = motions.changed(best, random);
     std::optional<CarriedCurves> other = motions.carried(motion);
     if (!other || (curves && other->crossing_count() > curves->crossing_count())) continue;

@@ -18,6 +18,12 @@ constexpr int kMostSweepsOfFlips = 1000;
 
 std::size_t nth(int index) { return static_cast<std::size_t>(index); }
 
+/// Beyond rounding: a flip that is left out does no harm.
+bool is_clearly_positive(const Vec2& a, const Vec2& b, const Vec2& c) {
+  constexpr double kLeastPart = 1e-12;
+  return signed_area(a, b, c) > kLeastPart * ((b - a).squaredNorm() + (c - a).squaredNorm());
+}
+
 }  // namespace
 
 CarriedCurves::CarriedCurves(const std::vector<Eigen::Vector3i>& triangles, Points positions)
@@ -111,7 +117,7 @@ void CarriedCurves::make_delaunay(std::vector<bool> changed) {
 bool CarriedCurves::is_better_flipped(const Quadrilateral& q) const {
   const Vec2 a = positions_.col(origin(q.ab)), b = positions_.col(origin(q.bc)),
              c = positions_.col(origin(q.cd)), d = positions_.col(origin(q.da));
-  return is_in_circle(a, c, d, b) && orientation(a, b, d) > 0 && orientation(b, c, d) > 0;
+  return is_in_circle(a, c, d, b) && is_clearly_positive(a, b, d) && is_clearly_positive(b, c, d);
 }
 
 // Strands with one end on the way by a and one on that by c cross the new diagonal, in the order of

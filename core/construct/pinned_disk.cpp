@@ -14,21 +14,22 @@
 namespace foldless {
 namespace {
 
-/// Polygons with more corners keep the triangles that slits left them, which cross oftener. Braids
-/// have left them none.
+/// Polygons with more corners keep the triangles that slits left them, which cross oftener.
 constexpr int kMostCornersTriangulated = 1000;
-/// The slits of a braid are taken while they leave up to so many times the vertices that the
-/// shortest ones leave: maps are the better for the class.
-constexpr double kMostTimesVertices = 2.5;
+/// A braid that leaves more is of no use: the shortest slits are better then.
+constexpr int kMostCornersOfABraid = 450;
 
-/// A class of maps: of the searches for braids and slits, and whether the one of the two that looks
-/// worse is taken.
+/// Where maps of a class come from, and from which search there.
 struct Class {
+  enum class From { braid, slits } from;
   int search;
-  bool is_second;
 };
-constexpr std::array<Class, kClassesOfPinnedDisks> kClasses{
-    {{0, false}, {1, false}, {0, true}, {2, false}}};
+constexpr std::array<Class, kClassesOfPinnedDisks> kClasses{{{Class::From::braid, 0},
+                                                             {Class::From::braid, 1},
+                                                             {Class::From::slits, 0},
+                                                             {Class::From::braid, 2},
+                                                             {Class::From::braid, 3},
+                                                             {Class::From::braid, 4}}};
 
 /// The banks of slits glued together.
 MeshPair glued(const MeshPair& slit, const SlitDisks& disks) {
@@ -46,20 +47,6 @@ MeshPair glued(const MeshPair& slit, const SlitDisks& disks) {
   return {slit.triangles().unaryExpr(glued_vertex), std::move(rest), std::move(deformed)};
 }
 
-/// The map of the disk that the slits lead to, on their vertices alone.
-std::optional<MeshPair> map_of(const SlitDisks& disks) {
-  const auto slit = compatible_triangulation(disks, kMostCornersTriangulated);
-  if (!slit) return std::nullopt;
-  return glued(*slit, disks);
-}
-
-/// The one that the braid leads to.
-std::optional<MeshPair> map_of_braid(const DottedDisk& rest, const DottedDisk& deformed,
-                                     int search) {
-  const std::optional<SlitDisks> disks = braided(rest, deformed, search);
-  return disks ? map_of(*disks) : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<MeshPair> with_pinned_disk(const MeshPair& mesh, const PinnedVertices& pinned,
@@ -69,22 +56,22 @@ std::optional<MeshPair> with_pinned_disk(const MeshPair& mesh, const PinnedVerti
   if (corners > kMostCornersOfADisk || choice >= kClassesOfPinnedDisks) return std::nullopt;
   std::vector<int> vertices = loop;
   vertices.insert(vertices.end(), inside.begin(), inside.end());
+  const auto map_along = [&](const SlitDisks& disks) -> std::optional<MeshPair> {
+    const auto slit = compatible_triangulation(disks, kMostCornersTriangulated);
+    if (!slit) return std::nullopt;
+    return filled(glued(*slit, disks), vertices, mesh);
+  };
   const DottedDisk rest{mesh.rest()(Eigen::all, loop), mesh.rest()(Eigen::all, inside)};
   const DottedDisk deformed{targets.leftCols(corners), targets.rightCols(targets.cols() - corners)};
-  const auto [search, is_second] = kClasses[static_cast<std::size_t>(choice)];
+  const auto [from, search] = kClasses[static_cast<std::size_t>(choice)];
+  if (from == Class::From::braid) {
+    const std::optional<SlitDisks> braid = braided(rest, deformed, search);
+    if (braid && braid->rest.cols() <= kMostCornersOfABraid)
+      if (std::optional<MeshPair> map = map_along(*braid)) return map;
+  }
   const std::vector<SlitDisks> ways = slit_open(rest, deformed);
-  auto way = static_cast<std::size_t>(search);
-  std::optional<MeshPair> first = map_of_braid(rest, deformed, search);
-  std::optional<MeshPair> second = way < ways.size() ? map_of(ways[way]) : std::nullopt;
-  const bool is_braid_complex =
-      first && second && first->vertex_count() > kMostTimesVertices * second->vertex_count();
-  if (is_braid_complex != is_second) std::swap(first, second);
-  for (const std::optional<MeshPair>& map : {first, second})
-    if (map)
-      if (std::optional<MeshPair> whole = filled(*map, vertices, mesh)) return whole;
-  while (++way < ways.size())
-    if (const std::optional<MeshPair> map = map_of(ways[way]))
-      if (std::optional<MeshPair> whole = filled(*map, vertices, mesh)) return whole;
+  for (auto way = static_cast<std::size_t>(search); way < ways.size(); ++way)
+    if (std::optional<MeshPair> map = map_along(ways[way])) return map;
   return std::nullopt;
 }
 

@@ -246,14 +246,13 @@ Steps<> Foldless::look_for_better(OtherWays& ways) {
 Steps<> Foldless::uncrush(OtherWays& ways) {
   using namespace driver;
   if (problem_.mesh.face_count() > kLargestUncrushed || !is_crushed(work_.mesh)) co_return;
-  Workspace best = work_;
   for (int i = 0; i < kWaysWhenCrushed && !ways.have_ended() && is_crushed(work_.mesh); ++i) {
-    const Progress progress = co_await ways.try_next(work_);
+    Workspace other = work_;
+    const Progress progress = co_await ways.try_next(other);
     if (progress == Progress::locked) continue;
-    co_await tidy(work_);
-    if (largest_distortion(work_.mesh) < largest_distortion(best.mesh)) best = work_;
+    co_await tidy(other);
+    if (largest_distortion(other.mesh) < largest_distortion(work_.mesh)) work_ = std::move(other);
   }
-  work_ = std::move(best);
   co_yield [this](Iteration& last) { work_.measure_again(last, work_.held_energy()); };
 }
 
