@@ -14,8 +14,9 @@ namespace trying_ways {
 /// seconds then.
 constexpr int kLargestInManyOrders = 5000;
 constexpr int kRandomOrders = 16;
-/// Of few handles several classes of maps are constructed, as each takes a second otherwise.
-constexpr int kMostInManyClasses = 20;
+/// Handles that may be cut to in all classes of maps that are tried, for each takes the longer the
+/// more there are; of more than so many there is one class.
+constexpr int kHandlesOfAllClasses = 80, kMostInManyClasses = 20;
 /// One of so many is refined when nothing else helped.
 constexpr int kLargestRefined = 2000;
 
@@ -34,7 +35,9 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
   std::vector<Way> ways;
   const auto add_cuts = [&](KnownBoundary boundary, int most_classes) {
     const int handles = handles_to_cut(rest, constraints, boundary);
-    const int classes = handles > kMostInManyClasses ? 1 : most_classes;
+    const int classes = handles > kMostInManyClasses
+                            ? 1
+                            : std::min(most_classes, kHandlesOfAllClasses / std::max(handles, 1));
     for (int choice = 0; handles > 0 && choice < classes; ++choice)
       ways.push_back({.kind = Way::Kind::cut, .boundary = boundary, .choice = choice});
   };

@@ -8,31 +8,13 @@
 
 #include "core/construct/compatible_triangulation.h"
 #include "core/mesh/orientation.h"
-#include "tests/support/pinned_disks.h"
+#include "tests/support/dotted_disks.h"
 
 namespace foldless {
 namespace {
 
-/// A disk and its image, in which points inside change places.
-std::pair<DottedDisk, DottedDisk> dotted_disks(std::uint64_t seed, int inside) {
-  const test::PinnedDisk disk = test::permuted_disk(seed, inside);
-  const Points& rest = disk.mesh.rest();
-  return {{rest(Eigen::all, disk.pinned.loop), rest(Eigen::all, disk.pinned.inside)},
-          {disk.targets.leftCols(disk.targets.cols() - inside), disk.targets.rightCols(inside)}};
-}
-
-/// All corners of a vertex are where it is.
-void expect_banks_together(const Points& corners, const std::vector<int>& vertices,
-                           const DottedDisk& disk) {
-  Points where = Points::Constant(2, 1 + *std::ranges::max_element(vertices), 1e9);
-  where.leftCols(disk.outline.cols()) = disk.outline;
-  where.middleCols(disk.outline.cols(), disk.inside.cols()) = disk.inside;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    auto place = where.col(vertices[i]);
-    if (place.x() == 1e9) place = corners.col(static_cast<Eigen::Index>(i));
-    EXPECT_EQ(Vec2(place), Vec2(corners.col(static_cast<Eigen::Index>(i)))) << i;
-  }
-}
+using test::dotted_disks;
+using test::expect_banks_together;
 
 TEST(Slits, LeaveTwoTriangulatedPolygonsWhoseCornersCorrespond) {
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
