@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/construct/pinned_disk.h"
 #include "core/method/foldless/transport_plans.h"
 #include "tests/core/method/foldless/stage_runner.h"
 #include "tests/core/method/foldless/workspaces.h"
@@ -55,23 +56,24 @@ TEST(OtherWays, ComeInTheirOrder) {
   const std::vector<Way> ways = ways_of(own.work);
   const std::size_t first = plans_of(own.work, 0).size();
   const std::vector<TransportPlan> plans = plans_of(own.work, kRandomOrders);
-  ASSERT_EQ(ways.size(), first + 6 + kRandomOrders + plans.size());
+  constexpr std::size_t kCuts = kClassesOfPinnedDisks;
+  ASSERT_EQ(ways.size(), first + kCuts + 2 + kRandomOrders + plans.size());
   for (std::size_t i = 0; i < first; ++i) {
     EXPECT_TRUE(is_plain_transport(ways[i])) << i;
     EXPECT_EQ(ways[i].plan.groups, plans[i].groups) << i;
   }
-  for (std::size_t i = first; i < first + 4; ++i) {
+  for (std::size_t i = first; i < first + kCuts; ++i) {
     EXPECT_EQ(ways[i].kind, Kind::cut);
     EXPECT_EQ(ways[i].boundary, KnownBoundary::held);
     EXPECT_EQ(ways[i].choice, static_cast<int>(i - first));
   }
-  for (const std::size_t i : {first + 4, first + 5}) {
+  for (const std::size_t i : {first + kCuts, first + kCuts + 1}) {
     EXPECT_EQ(ways[i].kind, Kind::onwards);
-    EXPECT_EQ(ways[i].is_refined, i == first + 5);
+    EXPECT_EQ(ways[i].is_refined, i == first + kCuts + 1);
   }
-  for (std::size_t i = first + 6; i < ways.size(); ++i) {
-    const bool is_refined = i >= first + 6 + kRandomOrders;
-    const std::size_t plan = is_refined ? i - first - 6 - kRandomOrders : i - 6;
+  for (std::size_t i = first + kCuts + 2; i < ways.size(); ++i) {
+    const bool is_refined = i >= first + kCuts + 2 + kRandomOrders;
+    const std::size_t plan = is_refined ? i - first - kCuts - 2 - kRandomOrders : i - kCuts - 2;
     EXPECT_EQ(ways[i].kind, Kind::transport) << i;
     EXPECT_TRUE(ways[i].goes_in_rounds) << i;
     EXPECT_EQ(ways[i].is_refined, is_refined) << i;

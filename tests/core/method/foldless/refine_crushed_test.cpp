@@ -20,14 +20,16 @@ namespace {
 using test::OwnWorkspace;
 using test::StageRunner;
 
+/// The class of maps in which most meshes end crushed.
+constexpr int kSlits = 2;
+
 TEST(RefineCrushed, GivesRoomBetweenHandlesAndIsValidWhateverIsCancelled) {
   int cancelled = 0, crushed = 0, uncrushed = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     OwnWorkspace own = test::held_frame(seed, 9);
     Workspace& work = own.work;
-    const int choice = static_cast<int>(seed % 3);
-    const auto progress = test::run_to_the_end(cut_to_handles(work, KnownBoundary::held, choice));
+    const auto progress = test::run_to_the_end(cut_to_handles(work, KnownBoundary::held, kSlits));
     if (progress != Progress::arrived) continue;
     test::run_to_the_end(tidy(work));
     if (!is_crushed(work.mesh)) continue;
