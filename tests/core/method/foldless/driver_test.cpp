@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/method/foldless/foldless.h"
+#include "core/method/foldless/tidy.h"
 #include "tests/core/method/foldless/coarse_scenes.h"
 #include "tests/core/method/foldless/foldless_scenes.h"
+#include "tests/core/method/foldless/permutations.h"
 #include "tests/support/random_vector.h"
 
 namespace foldless {
@@ -55,6 +57,29 @@ TEST(Driver, HandlesThatMoveTogetherAreApproachedFromThereAndThenTwiceFromTheMes
   }
   EXPECT_GE(from_there, 8);
   EXPECT_GE(twice_from_problem, 6);
+}
+
+TEST(Driver, WhatHasArrivedStaysOnShowUntilALessCrushedMeshIsFound) {
+  int tried = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Foldless method(test::permutation(seed, 16));
+    double settled = 0;  // its largest σ₁/σ₂; none before the first mesh has
+    Phase before = Phase::pursue;
+    while (const std::optional<Iteration> record = method.step({})) {
+      const double now = largest_distortion(method.mesh());
+      const bool begins = record->phase == Phase::construct && before != Phase::construct;
+      if (settled > 0) {
+        EXPECT_LE(now, 2 * settled) << "maps under construction are worse by powers of ten";
+        if (begins) ++tried;
+      } else if (begins && before == Phase::settle) {
+        settled = now;
+        ++tried;
+      }
+      before = record->phase;
+    }
+  }
+  EXPECT_GE(tried, 6) << "the claim would be empty";
 }
 
 // Run brings targets and deformed meshes to the origin, but not the rest mesh.
