@@ -120,16 +120,19 @@ bool CarriedCurves::is_better_flipped(const Quadrilateral& q) const {
   return is_in_circle(a, c, d, b) && is_clearly_positive(a, b, d) && is_clearly_positive(b, c, d);
 }
 
-// Strands with one end on the way by a and one on that by c cross the new diagonal, in the order of
-// their ends.
 void CarriedCurves::flip(int diagonal) {
   const Quadrilateral q = quadrilateral(diagonal);
-  const int edge = edges_[nth(diagonal)], b = origin(q.bc), d = origin(q.da);
-  Line& flipped = lines_[nth(edge)];
+  lead_over(lines_[nth(edges_[nth(diagonal)])], q);
+  flip_triangles(diagonal, q);
+}
+
+// Strands with one end on the way by a and one on that by c cross the new diagonal, in the order of
+// their ends.
+void CarriedCurves::lead_over(Line& flipped, const Quadrilateral& q) {
   mark_sides(q);
   find_strands(q, flipped);
   for (const int crossing : flipped.crossings) remove_crossing(crossing);
-  flipped = Line{.tail = b};
+  flipped = Line{.tail = origin(q.bc)};
   std::vector<std::pair<std::pair<int, int>, int>> crossed;  // ranks by a and by c, crossing
   for (const Strand& strand : strands_) {
     const Rank before = rank_of(strand.before, q), after = rank_of(strand.after, q);
@@ -146,8 +149,11 @@ void CarriedCurves::flip(int diagonal) {
   unmark_sides();
   std::ranges::sort(crossed);
   for (const auto& [ranks, crossing] : crossed) flipped.crossings.push_back(crossing);
+}
 
-  const int back = twin(diagonal);
+// The half-edges of the diagonal keep their numbers, and its triangles theirs.
+void CarriedCurves::flip_triangles(int diagonal, const Quadrilateral& q) {
+  const int back = twin(diagonal), b = origin(q.bc), d = origin(q.da);
   const std::array sides{q.ab, q.bc, q.cd, q.da};
   std::array<int, 4> twins{}, edges{}, origins{};
   for (std::size_t i = 0; i < 4; ++i) {

@@ -11,6 +11,7 @@ namespace foldless {
 /// The inner edges of a triangulated disk as curves that its vertices take with them. The vertices
 /// move, edges of the triangulation flip where they have to, and every curve is known by the edges
 /// that it crosses: no more often than its homotopy class asks for, and no other curve at all.
+/// Compare the integer coordinates of curves under flips [GSC21].
 class CarriedCurves {
  public:
   struct Curve {
@@ -75,6 +76,9 @@ class CarriedCurves {
   void make_delaunay(std::vector<bool> changed);
   bool is_better_flipped(const Quadrilateral& q) const;
   void flip(int diagonal);
+  /// Curves over a diagonal that was flipped.
+  void lead_over(Line& flipped, const Quadrilateral& q);
+  void flip_triangles(int diagonal, const Quadrilateral& q);
   void mark_sides(const Quadrilateral& q);
   void mark_side(int from, int side, Rank::By by);
   void unmark_sides();
