@@ -37,6 +37,7 @@ double length_of(const CarriedCurves::Curve& curve, const TriangulatedDisk& disk
 CurveSlits shortest_slits(const std::vector<CarriedCurves::Curve>& curves,
                           const TriangulatedDisk& disk) {
   std::vector<std::pair<double, const CarriedCurves::Curve*>> by_length;
+  by_length.reserve(curves.size());
   for (const CarriedCurves::Curve& curve : curves)
     by_length.emplace_back(length_of(curve, disk), &curve);
   std::ranges::stable_sort(by_length, {}, &std::pair<double, const CarriedCurves::Curve*>::first);
