@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/construct/directed_edge.h"
 #include "core/construct/in_circle.h"
 #include "core/mesh/orientation.h"
 
@@ -29,18 +30,15 @@ bool is_clearly_positive(const Vec2& a, const Vec2& b, const Vec2& c) {
 CarriedCurves::CarriedCurves(const std::vector<Eigen::Vector3i>& triangles, Points positions)
     : positions_(std::move(positions)) {
   std::unordered_map<std::uint64_t, int> half_edges;
-  const auto key = [](int a, int b) {
-    return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
-  };
   for (const Eigen::Vector3i& t : triangles)
     for (int i = 0; i < 3; ++i) {
-      half_edges[key(t[i], t[(i + 1) % 3])] = static_cast<int>(origins_.size());
+      half_edges[directed_edge(t[i], t[(i + 1) % 3])] = static_cast<int>(origins_.size());
       origins_.push_back(t[i]);
     }
   twins_.assign(origins_.size(), -1);
   edges_.assign(origins_.size(), -1);
   for (int h = 0; h < static_cast<int>(origins_.size()); ++h) {
-    const auto found = half_edges.find(key(origin(next(h)), origin(h)));
+    const auto found = half_edges.find(directed_edge(origin(next(h)), origin(h)));
     if (found != half_edges.end()) twins_[nth(h)] = found->second;
     if (found != half_edges.end() && found->second < h) {
       edges_[nth(h)] = edges_[nth(found->second)];
@@ -70,8 +68,8 @@ bool CarriedCurves::move_to(const Points& positions) {
 std::vector<CarriedCurves::Curve> CarriedCurves::curves() const {
   std::vector<Vec2> places(crossings_.size());
   for (int h = 0; h < static_cast<int>(origins_.size()); ++h) {
-    const std::vector<int>& crossings = lines_[nth(edges_[nth(h)])].crossings;
-    if (lines_[nth(edges_[nth(h)])].tail != origin(h)) continue;
+    const std::vector<int>& crossings = line(h).crossings;
+    if (line(h).tail != origin(h)) continue;
     const Vec2 a = positions_.col(origin(h)), b = positions_.col(origin(next(h)));
     for (std::size_t i = 0; i < crossings.size(); ++i)
       places[nth(crossings[i])] =
@@ -122,7 +120,7 @@ bool CarriedCurves::is_better_flipped(const Quadrilateral& q) const {
 
 void CarriedCurves::flip(int diagonal) {
   const Quadrilateral q = quadrilateral(diagonal);
-  lead_over(lines_[nth(edges_[nth(diagonal)])], q);
+  lead_over(line(diagonal), q);
   flip_triangles(diagonal, q);
 }
 
@@ -189,7 +187,7 @@ void CarriedCurves::mark_sides(const Quadrilateral& q) {
 }
 
 void CarriedCurves::mark_side(int from, int side, Rank::By by) {
-  const Line& crossed = lines_[nth(edges_[nth(side)])];
+  const Line& crossed = line(side);
   std::vector<Place>& way = by == Rank::By::a ? by_a_ : by_c_;
   const auto mark = [&](int crossing) {
     ranks_[nth(crossing)] = {by, static_cast<int>(way.size())};

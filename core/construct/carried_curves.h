@@ -62,6 +62,9 @@ class CarriedCurves {
   static int before(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
   int origin(int h) const { return origins_[static_cast<std::size_t>(h)]; }
   int twin(int h) const { return twins_[static_cast<std::size_t>(h)]; }
+  const Line& line(int h) const {
+    return lines_[static_cast<std::size_t>(edges_[static_cast<std::size_t>(h)])];
+  }
   Line& line(int h) {
     return lines_[static_cast<std::size_t>(edges_[static_cast<std::size_t>(h)])];
   }

@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/construct/directed_edge.h"
+
 namespace foldless {
 namespace {
 
@@ -15,10 +17,6 @@ struct CurveSlit {
   const CarriedCurves::Curve* curve;
   int first_bend;  ///< its vertex
 };
-
-std::uint64_t directed_edge(int a, int b) {
-  return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
-}
 
 /// By directed edge.
 using CurveSlits = std::unordered_map<std::uint64_t, CurveSlit>;

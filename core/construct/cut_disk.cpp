@@ -7,6 +7,7 @@
 
 #include "core/construct/chord_triangulation.h"
 #include "core/construct/corner_order.h"
+#include "core/construct/directed_edge.h"
 #include "core/construct/in_circle.h"
 #include "core/mesh/orientation.h"
 
@@ -108,7 +109,7 @@ void CutDisk::open(const std::vector<int>& way) {
 }
 
 int CutDisk::left_of(int a, int b) const {
-  const auto found = left_.find(key(a, b));
+  const auto found = left_.find(directed_edge(a, b));
   return found == left_.end() ? -1 : found->second;
 }
 
@@ -123,12 +124,12 @@ void CutDisk::set_triangle(int t, const Eigen::Vector3i& corners) {
   } else {
     Eigen::Vector3i& old = triangles_[ordinal(t)];
     for (int i = 0; i < 3; ++i) {
-      const auto edge = left_.find(key(old[i], old[(i + 1) % 3]));
+      const auto edge = left_.find(directed_edge(old[i], old[(i + 1) % 3]));
       if (edge != left_.end() && edge->second == t) left_.erase(edge);
     }
     old = corners;
   }
-  for (int i = 0; i < 3; ++i) left_[key(corners[i], corners[(i + 1) % 3])] = t;
+  for (int i = 0; i < 3; ++i) left_[directed_edge(corners[i], corners[(i + 1) % 3])] = t;
 }
 
 int CutDisk::add_vertex(const Vec2& position) {

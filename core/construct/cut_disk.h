@@ -62,9 +62,6 @@ class CutDisk {
 
   CutDisk() = default;
 
-  static std::uint64_t key(int a, int b) {
-    return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
-  }
   /// The triangle on the left of a directed edge; −1 outside.
   int left_of(int a, int b) const;
   /// Its third corner.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/construct/cut_disk.h"
+#include "core/construct/directed_edge.h"
 
 namespace foldless {
 namespace {
@@ -76,10 +77,10 @@ class CutDisk::Search {
     if (disk_.left_of(b, a) < 0) return;
     const double D = disk_.diagonal_, width = (disk_.position(a) - disk_.position(b)).norm();
     reached.cost += kCostOfCrossing * D + kCostOfNarrowness * D * D / width;
-    const auto [place, is_new] = ways_.edges_.try_emplace(key(a, b), reached);
+    const auto [place, is_new] = ways_.edges_.try_emplace(directed_edge(a, b), reached);
     if (!is_new && place->second.cost <= reached.cost) return;
     place->second = reached;
-    queue_.emplace(reached.cost, key(a, b));
+    queue_.emplace(reached.cost, directed_edge(a, b));
   }
 
   Vec2 middle(int a, int b) const { return 0.5 * (disk_.position(a) + disk_.position(b)); }

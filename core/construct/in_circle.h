@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
 #include "core/mesh/triangle.h"
 
 namespace foldless {
@@ -8,13 +10,11 @@ namespace foldless {
 /// Whether d is inside of the circle through a, b, c, counter-clockwise, by more than rounding can
 /// claim, so that flips to Delaunay triangles end.
 inline bool is_in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  constexpr double kLeastDeterminant = 1e-12;  // of the bound of Hadamard
+  constexpr double kLeastDeterminant = 1e-12;  // of its bound, whatever the unit of length
   const Vec2 p = a - d, q = b - d, r = c - d;
   const double pp = p.squaredNorm(), qq = q.squaredNorm(), rr = r.squaredNorm();
-  const double determinant = pp * cross(q, r) + qq * cross(r, p) + rr * cross(p, q);
-  return determinant > 0 && determinant * determinant > kLeastDeterminant * kLeastDeterminant *
-                                                            (pp + pp * pp) * (qq + qq * qq) *
-                                                            (rr + rr * rr);
+  const double bound = pp * std::sqrt(qq * rr) + qq * std::sqrt(rr * pp) + rr * std::sqrt(pp * qq);
+  return pp * cross(q, r) + qq * cross(r, p) + rr * cross(p, q) > kLeastDeterminant * bound;
 }
 
 }  // namespace foldless

@@ -141,6 +141,16 @@ TEST(CarriedCurves, ATurnOfTwoPointsIsUndoneByOneBackAndByNothingElse) {
   }
 }
 
+TEST(CarriedCurves, DoNotDependOnTheUnitOfLength) {
+  const auto crossings = [](double unit) {
+    const Points from = unit * dotted_circle(1, 7), to = unit * dotted_circle(101, 7);
+    CarriedCurves carried = curves_of(from);
+    go(carried, from, to);
+    return carried.crossing_count();
+  };
+  for (const double unit : {0x1p-30, 0x1p30}) EXPECT_EQ(crossings(unit), crossings(1)) << unit;
+}
+
 TEST(CarriedCurves, StayWhereATriangleWouldFold) {
   Points points = dotted_circle(3, 5);
   CarriedCurves carried = curves_of(points);

@@ -28,7 +28,7 @@ void expect_pinned(const MeshPair& mesh, const PinnedDisk& disk) {
 }
 
 TEST(PinnedDisk, SwapsTwoVerticesInsideOfAHeldBoundary) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const PinnedDisk disk = test::permuted_disk(seed, 2);
     const auto mesh = with_pinned_disk(disk.mesh, disk.pinned, disk.targets);
@@ -38,7 +38,7 @@ TEST(PinnedDisk, SwapsTwoVerticesInsideOfAHeldBoundary) {
 }
 
 TEST(PinnedDisk, BringsEightVerticesToEachOthersPlacesInAnyOrder) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const PinnedDisk disk = test::permuted_disk(seed, 8);
     const auto mesh = with_pinned_disk(disk.mesh, disk.pinned, disk.targets);
@@ -49,7 +49,7 @@ TEST(PinnedDisk, BringsEightVerticesToEachOthersPlacesInAnyOrder) {
 
 TEST(PinnedDisk, OtherChoicesLeadToOtherMapsUntilNoneIsLeft) {
   int others = 0;
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const PinnedDisk disk = test::permuted_disk(seed, 5);
     const auto first = with_pinned_disk(disk.mesh, disk.pinned, disk.targets);
     ASSERT_TRUE(first);
@@ -66,11 +66,11 @@ TEST(PinnedDisk, OtherChoicesLeadToOtherMapsUntilNoneIsLeft) {
     if (is_other) ++others;
     EXPECT_FALSE(with_pinned_disk(disk.mesh, disk.pinned, disk.targets, kClassesOfPinnedDisks));
   }
-  EXPECT_GE(others, 1);
+  EXPECT_GE(others, 3);
 }
 
 TEST(PinnedDisk, TheBoundaryMayGoToAnotherPolygon) {
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     PinnedDisk disk = test::permuted_disk(seed, 4);
     std::mt19937_64 random(seed);
