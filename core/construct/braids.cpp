@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "core/construct/carried_curves.h"
+#include "core/construct/curve_energy.h"
 #include "core/construct/curve_slits.h"
 #include "core/construct/cut_disk.h"
 #include "core/construct/random_numbers.h"
@@ -15,13 +17,15 @@ namespace foldless {
 namespace {
 
 /// A motion takes at least so many steps,
-constexpr int kStepsOfAMotion = 16;
+constexpr int kStepsOfAMotion = 8;
 /// each of which is halved so often where triangles would fold.
 constexpr int kMostHalvings = 12;
-/// So many motions are tried at most, and fewer the more vertices there are: what one takes grows
-/// with their square. Half as many in all searches but the first.
-constexpr int kMostTries = 800;
-constexpr int kTriesTimesVerticesSquared = 4'000'000;
+/// A search begins so often: from the same motion, but for what is drawn, it ends elsewhere.
+constexpr int kBeginnings = 4;
+/// So many motions are tried from each at most, and fewer the more vertices there are: what one
+/// takes grows with their square. Half as many in all searches but the first.
+constexpr int kMostTries = 400;
+constexpr int kTriesTimesVerticesSquared = 2'000'000;
 /// The first motion goes this part of a way beside it at most, for points may meet on straight
 /// ways.
 constexpr double kFirstDetour = 0.02;
@@ -123,24 +127,46 @@ class Motions {
   CarriedCurves at_rest_;
 };
 
+/// A motion with the curves that it carries, and what their class costs.
+struct CarriedMotion {
+  Motion motion;
+  std::optional<CarriedCurves> curves;
+  double energy = std::numeric_limits<double>::infinity();
+};
+
+/// From straight ways on, one change of one point at a time, what costs no more is kept.
+CarriedMotion descended(const Motions& motions, const CurveEnergy& energy, int tries,
+                        ConstructionRandom& random) {
+  const auto carry = [&](Motion motion) {
+    CarriedMotion carried;
+    carried.curves = motions.carried(motion);
+    carried.motion = std::move(motion);
+    if (carried.curves) carried.energy = energy(carried.curves->curves());
+    return carried;
+  };
+  CarriedMotion best = carry(motions.straight(random));
+  for (int tried = 0; tried < tries; ++tried) {
+    CarriedMotion other = carry(motions.changed(best.motion, random));
+    if (other.curves && other.energy <= best.energy) best = std::move(other);
+  }
+  return best;
+}
+
 }  // namespace
 
 std::optional<SlitDisks> braided(const DottedDisk& rest, const DottedDisk& deformed, int search) {
   const std::optional<CutDisk> at_rest = CutDisk::over(rest.outline, rest.inside);
   if (!at_rest) return std::nullopt;
   const Motions motions(*at_rest, rest, deformed);
-  ConstructionRandom random(static_cast<std::uint64_t>(search) + 1);
-  Motion best = motions.straight(random);
-  std::optional<CarriedCurves> curves = motions.carried(best);
-  for (int tried = 0; tried < motions.tries(search); ++tried) {
-    Motion motion = motions.changed(best, random);
-    std::optional<CarriedCurves> other = motions.carried(motion);
-    if (!other || (curves && other->crossing_count() > curves->crossing_count())) continue;
-    best = std::move(motion);
-    curves = std::move(other);
+  const CurveEnergy energy(motions.disk());
+  CarriedMotion best;
+  for (int beginning = 0; beginning < kBeginnings; ++beginning) {
+    ConstructionRandom random(static_cast<std::uint64_t>(kBeginnings * search + beginning) + 1);
+    CarriedMotion found = descended(motions, energy, motions.tries(search), random);
+    if (found.energy < best.energy) best = std::move(found);
   }
-  if (!curves) return std::nullopt;
-  return slit_along(curves->curves(), motions.disk());
+  if (!best.curves) return std::nullopt;
+  return slit_along(best.curves->curves(), motions.disk());
 }
 
 }  // namespace foldless

@@ -250,14 +250,10 @@ int CarriedCurves::add_crossing(const Strand& strand) {
   crossings_[nth(crossing)] = {strand.curve, strand.before, strand.after};
   join(strand.curve, strand.before, crossing);
   join(strand.curve, crossing, strand.after);
-  ++crossing_count_;
   return crossing;
 }
 
-void CarriedCurves::remove_crossing(int crossing) {
-  free_.push_back(crossing);
-  --crossing_count_;
-}
+void CarriedCurves::remove_crossing(int crossing) { free_.push_back(crossing); }
 
 void CarriedCurves::join(int curve, Place before, Place after) {
   (before >= 0 ? crossings_[nth(before)].after : curves_[nth(curve)].first) = after;

@@ -25,8 +25,6 @@ class CarriedCurves {
   /// triangle would not be positive after the move; what lies between does not matter.
   bool move_to(const Points& positions);
 
-  /// Of all curves with edges.
-  int crossing_count() const { return crossing_count_; }
   /// Of the edges as they were, in their order.
   std::vector<Curve> curves() const;
 
@@ -97,7 +95,6 @@ class CarriedCurves {
   std::vector<Ends> curves_;
   std::vector<Crossing> crossings_;
   std::vector<int> free_;  ///< crossings that are no more
-  int crossing_count_ = 0;
   // While an edge flips.
   std::vector<Rank> ranks_;         ///< by crossing
   std::vector<Place> by_a_, by_c_;  ///< in their order from b to d

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/construct/curve_energy.h"
 #include "core/construct/directed_edge.h"
 
 namespace foldless {
@@ -21,23 +22,15 @@ struct CurveSlit {
 /// By directed edge.
 using CurveSlits = std::unordered_map<std::uint64_t, CurveSlit>;
 
-double length_of(const CarriedCurves::Curve& curve, const TriangulatedDisk& disk) {
-  double length = (disk.rest.col(curve.to) - disk.rest.col(curve.from)).norm();
-  Vec2 at = disk.deformed.col(curve.from);
-  for (const Vec2 bend : curve.bends.colwise()) {
-    length += (bend - at).norm();
-    at = bend;
-  }
-  return length + (disk.deformed.col(curve.to) - at).norm();
-}
-
 /// The shortest forest [Kru56] with all of the outline in one tree.
 CurveSlits shortest_slits(const std::vector<CarriedCurves::Curve>& curves,
                           const TriangulatedDisk& disk) {
   std::vector<std::pair<double, const CarriedCurves::Curve*>> by_length;
   by_length.reserve(curves.size());
   for (const CarriedCurves::Curve& curve : curves)
-    by_length.emplace_back(length_of(curve, disk), &curve);
+    by_length.emplace_back((disk.rest.col(curve.to) - disk.rest.col(curve.from)).norm() +
+                               length_of(curve, disk.deformed),
+                           &curve);
   std::ranges::stable_sort(by_length, {}, &std::pair<double, const CarriedCurves::Curve*>::first);
   std::vector<int> trees(static_cast<std::size_t>(disk.rest.cols()));
   std::iota(trees.begin(), trees.end(), 0);
