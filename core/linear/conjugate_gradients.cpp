@@ -2,38 +2,67 @@
 #include "core/linear/conjugate_gradients.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace foldless {
 namespace {
 
 /// Where no more is asked, the rounding of a preconditioner in single precision does not show.
-constexpr double kLeastGainOfSinglePrecision = 1e-4;
+constexpr double kLeastGainOfSinglePrecision = 1e-5;
+/// Of a guess that is nearly in the span of others less than this part of pᵀAp is its own.
+constexpr double kLeastOwnPart = 1e-6;
+
+/// What conjugate gradients have: x, b − A x, and by how much ½xᵀAx − bᵀx is lower than at 0.
+struct Progress {
+  Eigen::VectorXd x, residual;
+  double decrease = 0;
+};
+
+/// The best of all sums of multiples of the guesses, which are made conjugate to each other.
+Progress best_guess(const SparseSymmetric& A, const Eigen::VectorXd& b,
+                    std::span<const Eigen::VectorXd> guesses) {
+  Progress progress{Eigen::VectorXd::Zero(b.size()), b};
+  struct Direction {
+    Eigen::VectorXd p, image;  ///< A p
+    double curvature;          ///< pᵀAp
+  };
+  std::vector<Direction> directions;
+  for (const Eigen::VectorXd& guess : guesses) {
+    if (guess.size() != b.size()) continue;
+    Direction d{guess, Eigen::VectorXd(b.size()), 0};
+    multiply(A, d.p, d.image);
+    const double whole = d.p.dot(d.image);
+    for (const Direction& before : directions) {
+      const double part = before.p.dot(d.image) / before.curvature;
+      d.p -= part * before.p;
+      d.image -= part * before.image;
+    }
+    d.curvature = d.p.dot(d.image);
+    if (!(d.curvature > kLeastOwnPart * whole)) continue;
+    const double along = progress.residual.dot(d.p);
+    progress.x += along / d.curvature * d.p;
+    progress.residual -= along / d.curvature * d.image;
+    progress.decrease += 0.5 * along * along / d.curvature;
+    directions.push_back(std::move(d));
+  }
+  return progress;
+}
 
 }  // namespace
 
 ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
                                               Cholesky& factor,
                                               const ConjugateGradientSettings& settings) {
-  ConjugateGradientSolution solution{Eigen::VectorXd::Zero(b.size())};
+  ConjugateGradientSolution solution;
   const bool is_single =
       settings.least_gain >= kLeastGainOfSinglePrecision || factor.precision() == Precision::single;
   const auto precondition = [&](const Eigen::VectorXd& r) {
     return is_single ? factor.precondition(r) : factor.solve(r);
   };
-  Eigen::VectorXd residual = b;
+  auto [x, residual, decrease] = best_guess(A, b, settings.guesses);
+  solution.x = std::move(x);
   Eigen::VectorXd image(b.size());
-  double decrease = 0;
-  if (settings.guess && settings.guess->size() == b.size()) {
-    const Eigen::VectorXd& guess = *settings.guess;
-    multiply(A, guess, image);
-    const double along = b.dot(guess), curvature = guess.dot(image);
-    if (along > 0 && curvature > 0) {
-      const double length = along / curvature;
-      solution.x = length * guess;
-      residual -= length * image;
-      decrease = 0.5 * length * along;
-    }
-  }
   Eigen::VectorXd direction = precondition(residual);
   double norm = residual.dot(direction);
   while (!(norm <= 0)) {

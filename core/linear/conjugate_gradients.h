@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "core/linear/cholesky.h"
 #include "core/linear/sparse_symmetric.h"
@@ -13,9 +14,10 @@ struct ConjugateGradientSettings {
   double least_gain = 0;  ///< an iteration that lowers ½xᵀAx − bᵀx by less than this part of what
                           ///< all did is the last [NS90]
   int most_iterations = 0;  ///< > 0; the method gives up after so many
-  /// They begin at the multiple of it that lowers ½xᵀAx − bᵀx most, which counts as what was done;
-  /// at 0 where there is none, or of another size, or no multiple > 0 lowers it.
-  const Eigen::VectorXd* guess = nullptr;
+  /// They begin at the sum of multiples of these that lowers ½xᵀAx − bᵀx most, which counts as what
+  /// was done. Those of another size, or that are nearly such a sum of those before them, count as
+  /// none. A product with A each.
+  std::span<const Eigen::VectorXd> guesses = {};
 };
 
 /// How conjugate_gradients() ended.

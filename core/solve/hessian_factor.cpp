@@ -50,13 +50,12 @@ bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision preci
   return is_near_;
 }
 
-std::optional<ConjugateGradientSolution> HessianFactor::solve_later(const Hessian& hessian,
-                                                                    const Eigen::VectorXd& b,
-                                                                    double least_gain,
-                                                                    const Eigen::VectorXd& guess) {
+std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
+    const Hessian& hessian, const Eigen::VectorXd& b, double least_gain,
+    std::span<const Eigen::VectorXd> guesses) {
   if (!is_near(hessian.kind)) return std::nullopt;
   ConjugateGradientSolution solution = conjugate_gradients(
-      hessian.matrix, b, cholesky_, {least_gain, kMostLaggedIterations, &guess});
+      hessian.matrix, b, cholesky_, {least_gain, kMostLaggedIterations, guesses});
   if (solution.end == ConjugateGradientEnd::stopped) return std::nullopt;
   is_near_ = solution.iterations < kIterationsOfAFarFactor;
   if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 
 #include "core/energy/element.h"
 #include "core/linear/cholesky.h"
@@ -55,12 +56,12 @@ class HessianFactor {
   void outdate() { is_exact_ = false; }
   /// Says that ∇²E changed too much for the factor to serve another step.
   void set_far() { is_near_ = false; }
-  /// Solves hessian x = b by conjugate gradients from this factor and a guess; nothing where it is
-  /// of another kind of Hessian or known to be too far from it, or turns out to be, or where it was
-  /// stopped.
+  /// Solves hessian x = b by conjugate gradients from this factor and guesses; nothing where it
+  /// is of another kind of Hessian or known to be too far from it, or turns out to be, or where it
+  /// was stopped.
   std::optional<ConjugateGradientSolution> solve_later(const Hessian& hessian,
                                                        const Eigen::VectorXd& b, double least_gain,
-                                                       const Eigen::VectorXd& guess);
+                                                       std::span<const Eigen::VectorXd> guesses);
   bool is_near(const HessianKind& kind) const {
     return is_near_ && cholesky_.has_factor() && kind == kind_;
   }

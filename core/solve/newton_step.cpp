@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solve/newton_step.h"
 
+#include <span>
+#include <utility>
+
 namespace foldless {
 namespace {
 
 constexpr double kLeastGain = 1e-2;
-/// Where handles are carried there is no line search that would mend a rough step, and after a
-/// good guess little gain does not say that little is left.
-constexpr double kLeastGainOfACarry = 1e-4;
+/// Where handles are carried there is no line search that would mend a rough step, and after good
+/// guesses little gain does not say that little is left.
+constexpr double kLeastGainOfACarry = 3e-5;
 
 std::optional<LaggedStep> lagged_step(NewtonSystem& system, const Eigen::VectorXd& right_hand_side,
-                                      double least_gain, const Eigen::VectorXd& guess = {}) {
+                                      double least_gain,
+                                      std::span<const Eigen::VectorXd> guesses = {}) {
   StageTimer timer(system.effort().times.solve);
   const auto solution =
-      system.factor().solve_later(system.hessian(), right_hand_side, least_gain, guess);
+      system.factor().solve_later(system.hessian(), right_hand_side, least_gain, guesses);
   if (!solution) return std::nullopt;
   if (solution->end == ConjugateGradientEnd::indefinite) return LaggedStep{{}, true};
   return LaggedStep{solution->x.reshaped(2, solution->x.size() / 2), false};
@@ -43,8 +47,10 @@ Points carrying_step(NewtonSystem& system, const EnergySettings& settings, const
                      const Points& way) {
   StageTimer timer(system.effort().times.solve);
   const Eigen::VectorXd pull = system.objective().pull_of_handles(settings, u, way);
-  system.following() = system.factor().solve(-system.gradient() - pull);
-  return system.following().reshaped(2, way.cols()) + way;
+  Eigen::VectorXd following = system.factor().solve(-system.gradient() - pull);
+  Points step = following.reshaped(2, way.cols()) + way;
+  system.has_followed(std::move(following));
+  return step;
 }
 
 std::optional<LaggedStep> lagged_newton_step(NewtonSystem& system) {
@@ -56,9 +62,9 @@ std::optional<LaggedStep> lagged_carrying_step(NewtonSystem& system, const Energ
   if (!system.factor().is_near(system.hessian().kind)) return std::nullopt;
   const Eigen::VectorXd pull = system.objective().pull_of_handles(settings, u, way);
   std::optional<LaggedStep> lagged =  // a drag goes on much as it went
-      lagged_step(system, -system.gradient() - pull, kLeastGainOfACarry, system.following());
+      lagged_step(system, -system.gradient() - pull, kLeastGainOfACarry, system.followings());
   if (!lagged || lagged->is_indefinite) return lagged;
-  system.following() = lagged->step.reshaped();
+  system.has_followed(lagged->step.reshaped());
   lagged->step += way;
   return lagged;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solve/newton_system.h"
 
+#include <utility>
+
 namespace foldless {
 
 NewtonSystem::NewtonSystem(const MeshPair& mesh, const Constraints& constraints, Effort& effort)
@@ -20,6 +22,12 @@ void NewtonSystem::follow_flips(const MeshPair& mesh, int flips) {
   StageTimer timer(effort_->times.analyze);
   objective_.follow_flips(mesh);
   outdate_pattern(mesh, flips);
+}
+
+void NewtonSystem::has_followed(Eigen::VectorXd following) {
+  constexpr std::size_t kMost = 3;
+  followings_.insert(followings_.begin(), std::move(following));
+  if (followings_.size() > kMost) followings_.pop_back();
 }
 
 void NewtonSystem::outdate_pattern(const MeshPair& mesh, int changed_edges) {

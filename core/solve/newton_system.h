@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "core/energy/objective.h"
 #include "core/solve/effort.h"
@@ -38,8 +39,10 @@ class NewtonSystem {
 
   /// Tell it when the vertices moved: HessianFactor::outdate().
   HessianFactor& factor() { return factor_; }
-  /// How the vertices followed when handles were carried last, 2 #V; empty before that.
-  Eigen::VectorXd& following() { return following_; }
+  /// How the vertices followed when handles were carried, 2 #V each, the last time first. Not of
+  /// more than three times, in which a handle went all ways there are, and bent a little.
+  const std::vector<Eigen::VectorXd>& followings() const { return followings_; }
+  void has_followed(Eigen::VectorXd following);
 
  private:
   void outdate_pattern(const MeshPair& mesh, int changed_edges);
@@ -50,7 +53,7 @@ class NewtonSystem {
   bool has_pattern_ = false;  ///< hessian_ has that of the connectivity as it is
   EnergyGradient first_order_;
   HessianFactor factor_;
-  Eigen::VectorXd following_;
+  std::vector<Eigen::VectorXd> followings_;
 };
 
 }  // namespace foldless

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <random>
+#include <vector>
 
 #include "tests/support/dense_matrix.h"
 
@@ -57,26 +58,43 @@ TEST(Multiply, IsTheProductOfTheWholeMatrix) {
   }
 }
 
-TEST(ConjugateGradients, BeginAtTheBestMultipleOfAGuess) {
+TEST(ConjugateGradients, BeginAtTheBestSumOfMultiplesOfGuesses) {
   const SparseSymmetric m = random_matrix(60, 5);
   Cholesky factor = factor_of(changed(m, 10));
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
   const Eigen::VectorXd exact = test::dense(m).ldlt().solve(b);
-  const Eigen::VectorXd near = exact + 0.01 * Eigen::VectorXd::LinSpaced(m.size(), 1, -1);
-  const auto solve = [&](const Eigen::VectorXd& guess, double least_gain) {
-    return conjugate_gradients(m, b, factor, {least_gain, 50, &guess});
+  const Eigen::VectorXd other = Eigen::VectorXd::LinSpaced(m.size(), 1, -1);
+  const auto solve = [&](const std::vector<Eigen::VectorXd>& guesses, double least_gain) {
+    return conjugate_gradients(m, b, factor, {least_gain, 50, guesses});
   };
   const ConjugateGradientSolution cold = solve({}, kLeastGain);
   EXPECT_LT((cold.x - exact).norm(), 1e-6 * exact.norm());
-  // Where the guess is the solution but for its length there is nothing to do.
-  const ConjugateGradientSolution warm = solve(-7 * -exact, kLeastGain);
-  EXPECT_LT(warm.iterations, 2);
-  EXPECT_LT((warm.x - exact).norm(), 1e-12 * exact.norm());
-  EXPECT_LT(solve(near, 1e-4).iterations, solve({}, 1e-4).iterations);
-  EXPECT_LT((solve(near, kLeastGain).x - exact).norm(), 1e-6 * exact.norm());
-  // None that is of another size or that leads uphill.
-  for (const Eigen::VectorXd& guess : {Eigen::VectorXd(-exact), Eigen::VectorXd(exact.head(4))})
-    EXPECT_EQ(solve(guess, kLeastGain).x, cold.x);
+  // Where the solution is such a sum there is nothing to do.
+  const std::vector<std::vector<Eigen::VectorXd>> sums{
+      {7 * exact}, {-exact}, {exact + other, other}, {other, exact - 3 * other}};
+  for (const std::vector<Eigen::VectorXd>& guesses : sums) {
+    const ConjugateGradientSolution warm = solve(guesses, kLeastGain);
+    EXPECT_LT(warm.iterations, 2);
+    EXPECT_LT((warm.x - exact).norm(), 1e-12 * exact.norm());
+  }
+  const Eigen::VectorXd near = exact + 0.01 * other;
+  EXPECT_LT(solve({near}, 1e-4).iterations, solve({}, 1e-4).iterations);
+  EXPECT_LT((solve({near}, kLeastGain).x - exact).norm(), 1e-6 * exact.norm());
+}
+
+TEST(ConjugateGradients, PassOverGuessesThatAddNothing) {
+  const SparseSymmetric m = random_matrix(60, 5);
+  Cholesky factor = factor_of(changed(m, 10));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  const Eigen::VectorXd guess = Eigen::VectorXd::LinSpaced(m.size(), 1, -1);
+  const auto solve = [&](const std::vector<Eigen::VectorXd>& guesses) {
+    return conjugate_gradients(m, b, factor, {kLeastGain, 50, guesses}).x;
+  };
+  const Eigen::VectorXd cold = solve({}), one = solve({guess});
+  EXPECT_EQ(solve({guess.head(4)}), cold);
+  EXPECT_EQ(solve({0 * guess}), cold);
+  EXPECT_EQ(solve({guess, guess.head(4)}), one);
+  EXPECT_EQ(solve({guess, -2 * guess}), one);
 }
 
 TEST(ConjugateGradients, MakeUpForAFactorInSinglePrecision) {

@@ -2,6 +2,8 @@
 // Steps of a NewtonSystem from an earlier factor.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "core/solve/newton_step.h"
 #include "tests/core/solve/newton_fixture.h"
 
@@ -142,12 +144,25 @@ TEST(LaggedStep, CarriesHandlesFromHowTheVerticesFollowedBefore) {
   const Points exact = third.exact();
   const auto cold = first.lagged();
   ASSERT_TRUE(cold);
-  EXPECT_EQ(first.newton.following(), (cold->step - first.way).reshaped());
-  second.newton.following() = third.newton.following();
+  ASSERT_EQ(first.newton.followings().size(), 1U);
+  EXPECT_EQ(first.newton.followings().front(), (cold->step - first.way).reshaped());
+  const Eigen::VectorXd followed = third.newton.followings().front();
+  // In two parts, as if the handle had gone two ways.
+  const Eigen::VectorXd part = Eigen::VectorXd::LinSpaced(followed.size(), -1, 1);
+  second.newton.has_followed(part);
+  second.newton.has_followed(followed - part);
   const auto warm = second.lagged();
   ASSERT_TRUE(warm);
   EXPECT_GT((cold->step - exact).norm(), 1e-9 * exact.norm());
   EXPECT_LT((warm->step - exact).norm(), 1e-12 * exact.norm());
+}
+
+TEST(LaggedStep, ThreeWaysThatTheVerticesFollowedAreKept) {
+  MovedAndHeld c;
+  for (int i = 1; i <= 5; ++i) c.newton.has_followed(Eigen::VectorXd::Constant(2, i));
+  std::vector<double> kept;
+  for (const Eigen::VectorXd& following : c.newton.followings()) kept.push_back(following[0]);
+  EXPECT_EQ(kept, (std::vector<double>{5, 4, 3}));
 }
 
 }  // namespace
