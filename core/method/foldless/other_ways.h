@@ -27,10 +27,10 @@ struct Way {
 };
 
 /// What is tried, in this order: an approach where none has begun at rest; transports, as
-/// transport_plans() has them; cuts of disks with a held boundary, of four classes where handles
-/// are few; on from the nearest place where a transport locked, on the mesh as it is and on a
-/// refined one; transports in random orders, in rounds; of a small mesh, all of the transports on a
-/// refined one; and a cut of disks whose boundary is free. `rest` is where ways begin.
+/// transport_plans() has them; cuts of disks with a held boundary, of several classes where
+/// handles are few; on from the nearest place where a transport locked, on the mesh as it is and on
+/// a refined one; transports in random orders, in rounds; of a small mesh, all of the transports on
+/// a refined one; and a cut of disks whose boundary is free. `rest` is where ways begin.
 std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints,
                             bool with_approach);
 
