@@ -5,8 +5,16 @@
 #include <limits>
 
 #include "core/energy/quadratic.h"
+#include "core/mesh/orientation.h"
 
 namespace foldless {
+namespace {
+
+/// Of a gap at the end of a step: narrower ones would close by the rounding of what comes next,
+/// the middles of edges that are split among it.
+constexpr double kLeastTangent = 1e-9;
+
+}  // namespace
 
 BoundaryGuard::BoundaryGuard(const MeshPair& mesh)
     : gap_of_(static_cast<std::size_t>(mesh.vertex_count()), -1) {
@@ -85,13 +93,22 @@ double BoundaryGuard::largest_step(const Points& u, const Points& step) const {
   return largest;
 }
 
+// A step from u ends with gaps above the floor; those that were below it already, as between the
+// banks of a cut at rest, are open exactly.
 bool BoundaryGuard::stays_open(const Points& u, const Points& end) const {
+  const auto is_below = [](double floor, const GapSides& sides) {
+    const double along = sides.previous.dot(sides.next);
+    return along > 0 && !(cross(sides.previous, sides.next) > floor * along);
+  };
+  const auto is_open = [](const BoundaryGap& gap, const Points& points) {
+    const auto& [next, previous] = gap.neighbours;
+    return orientation(points.col(gap.vertex), points.col(previous), points.col(next)) > 0;
+  };
   return std::ranges::none_of(gaps_, [&](const BoundaryGap& gap) {
-    const GapSides before = sides_of(gap, u), after = sides_of(gap, end);
-    const bool was_narrow =
-        before.previous.dot(before.next) > 0 && cross(before.previous, before.next) > 0;
-    return was_narrow && after.previous.dot(after.next) > 0 &&
-           !(cross(after.previous, after.next) > 0);
+    if (!is_below(kLeastTangent, sides_of(gap, end))) return false;
+    const GapSides before = sides_of(gap, u);
+    if (!(before.previous.dot(before.next) > 0)) return false;  // as largest_step() has it
+    return !is_below(kLeastTangent, before) || (is_open(gap, u) && !is_open(gap, end));
   });
 }
 

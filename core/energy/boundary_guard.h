@@ -38,7 +38,8 @@ class BoundaryGuard {
   /// The largest t for which no gap has closed anywhere on u + τ s, 0 ≤ τ < t; infinite when none
   /// does.
   double largest_step(const Points& u, const Points& step) const;
-  /// Whether no gap that was less than a right angle at u is closed at the end of a bounded step.
+  /// Whether no gap that was less than a right angle at u is closed, or closed but for 1e-9 rad, at
+  /// the end of a bounded step. Gaps that were narrower at u are told exactly.
   bool stays_open(const Points& u, const Points& end) const;
 
  private:

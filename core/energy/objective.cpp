@@ -215,8 +215,12 @@ bool Objective::is_feasible(const EnergySettings& settings, const Points& u,
     const double floor = 2 * settings.delta * rest_[static_cast<std::size_t>(t)].area;
     return cross(x.col(1) - x.col(0), x.col(2) - x.col(0)) > floor;
   };
-  return all_triangles(triangles_.cols(), is_open) &&
-         (!settings.guards_boundary() || guard_.stays_open(u, end));
+  return all_triangles(triangles_.cols(), is_open) && are_gaps_open(settings, u, end);
+}
+
+bool Objective::are_gaps_open(const EnergySettings& settings, const Points& u,
+                              const Points& end) const {
+  return !settings.guards_boundary() || guard_.stays_open(u, end);
 }
 
 }  // namespace foldless

@@ -74,6 +74,8 @@ class Objective {
   /// Whether A′ > δA holds in every triangle at the end of a step from u, and no guarded gap has
   /// closed: rounding can take a bounded step that ends near a fold beyond it.
   bool is_feasible(const EnergySettings& settings, const Points& u, const Points& end) const;
+  /// The second part of that, which value() tells to rounding alone.
+  bool are_gaps_open(const EnergySettings& settings, const Points& u, const Points& end) const;
 
  private:
   bool has_hard_handle(int v) const { return has_hard_handle_[static_cast<std::size_t>(v)]; }

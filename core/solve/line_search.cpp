@@ -22,7 +22,8 @@ LineSearchResult line_search(const Objective& objective, const Energy& energy, c
   for (int halving = 0; halving < kMostHalvings; ++halving, t /= 2) {
     Points trial = line.u + t * line.step;
     const double trial_energy = objective.value(energy, trial).total();
-    if (trial_energy <= line.energy + kArmijo * t * line.slope + rounding)
+    if (trial_energy <= line.energy + kArmijo * t * line.slope + rounding &&
+        objective.are_gaps_open(energy.settings, line.u, trial))
       return {t, std::move(trial)};
   }
   return {0, line.u};

@@ -33,7 +33,8 @@ bool snap(Workspace& work, const EnergySettings& energy) {
   const Points& now = work.mesh.deformed();
   Points u = snapping::with_handles_on_targets(work);
   const Objective& objective = work.system.objective();
-  if (objective.largest_step(energy, now, u - now) <= 1) return false;
+  if (objective.largest_step(energy, now, u - now) <= 1 || !objective.are_gaps_open(energy, now, u))
+    return false;
   const Energy held_handles{energy, held(work.constraints)};
   const double before = objective.value(held_handles, now).total();
   if (!(objective.value(held_handles, u).total() <= snapping::kGrowth * before)) return false;

@@ -10,7 +10,9 @@
 
 #include "core/energy/densities.h"
 #include "core/energy/objective.h"
+#include "core/mesh/boundary.h"
 #include "core/mesh/injective.h"
+#include "core/mesh/orientation.h"
 #include "tests/support/dense_matrix.h"
 #include "tests/support/finite_difference.h"
 #include "tests/support/notched_disk.h"
@@ -229,6 +231,53 @@ TEST(BoundaryGuard, LeavesOutVerticesThatOverlapAlready) {
     EXPECT_EQ(objective.value({guarded(), {}}, overlapping).barrier,
               objective.value({unguarded(), {}}, overlapping).barrier);
   }
+}
+
+/// The notch of some positions with its sides on one line but for rounding.
+Points with_shut_notch(Points u, const BoundaryNeighbours& sides, std::mt19937_64& random) {
+  const auto any = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  u.col(0) << 1 + any(), 1 + any();
+  const Vec2 direction(1, any());
+  for (const int v : {sides.next, sides.previous}) u.col(v) = u.col(0) + (0.1 + any()) * direction;
+  return u;
+}
+
+TEST(BoundaryGuard, TellsExactlyWhetherAGapAsNarrowAsRoundingStaysOpen) {
+  const NarrowNotch notch;
+  const BoundaryGuard guard(notch.mesh);
+  const Points& wide = notch.mesh.deformed();
+  const BoundaryNeighbours sides =
+      boundary_neighbours(notch.f.triangles, static_cast<int>(wide.cols()))[0];
+  const auto turn_of = [&](const Points& u) {
+    return orientation(u.col(0), u.col(sides.previous), u.col(sides.next));
+  };
+  int open = 0, closed = 0, rounding_says_otherwise = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    const Points before = with_shut_notch(wide, sides, random);
+    const Points end = with_shut_notch(wide, sides, random);
+    EXPECT_FALSE(guard.stays_open(wide, end));
+    if (turn_of(before) <= 0) continue;
+    EXPECT_EQ(guard.stays_open(before, end), turn_of(end) > 0);
+    ++(turn_of(end) > 0 ? open : closed);
+    const double area =
+        cross(end.col(sides.previous) - end.col(0), end.col(sides.next) - end.col(0));
+    if ((area > 0) != (turn_of(end) > 0)) ++rounding_says_otherwise;
+  }
+  EXPECT_GT(open, 20);
+  EXPECT_GT(closed, 20);
+  EXPECT_GT(rounding_says_otherwise, 0) << "the claim would be empty";
+}
+
+TEST(BoundaryGuard, NoStepEndsWithAGapNarrowerThanItsFloor) {
+  const NarrowNotch notch;
+  const BoundaryGuard guard(notch.mesh);
+  const auto at = [&](double gap) { return test::with_notch(notch.f.rest, 0.8, gap); };
+  EXPECT_TRUE(guard.stays_open(at(0.3), at(1e-8)));
+  EXPECT_FALSE(guard.stays_open(at(0.3), at(1e-10)));
+  EXPECT_FALSE(guard.stays_open(at(1e-8), at(1e-10)));
+  EXPECT_TRUE(guard.stays_open(at(1e-10), at(1e-11))) << "as it was so narrow before";
 }
 
 }  // namespace
