@@ -96,19 +96,19 @@ double BoundaryGuard::largest_step(const Points& u, const Points& step) const {
 // A step from u ends with gaps above the floor; those that were below it already, as between the
 // banks of a cut at rest, are open exactly.
 bool BoundaryGuard::stays_open(const Points& u, const Points& end) const {
-  const auto is_below = [](double floor, const GapSides& sides) {
+  const auto is_below_floor = [](const GapSides& sides) {
     const double along = sides.previous.dot(sides.next);
-    return along > 0 && !(cross(sides.previous, sides.next) > floor * along);
+    return along > 0 && !(cross(sides.previous, sides.next) > kLeastTangent * along);
   };
   const auto is_open = [](const BoundaryGap& gap, const Points& points) {
     const auto& [next, previous] = gap.neighbours;
     return orientation(points.col(gap.vertex), points.col(previous), points.col(next)) > 0;
   };
   return std::ranges::none_of(gaps_, [&](const BoundaryGap& gap) {
-    if (!is_below(kLeastTangent, sides_of(gap, end))) return false;
+    if (!is_below_floor(sides_of(gap, end))) return false;
     const GapSides before = sides_of(gap, u);
     if (!(before.previous.dot(before.next) > 0)) return false;  // as largest_step() has it
-    return !is_below(kLeastTangent, before) || (is_open(gap, u) && !is_open(gap, end));
+    return !is_below_floor(before) || (is_open(gap, u) && !is_open(gap, end));
   });
 }
 
