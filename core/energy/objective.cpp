@@ -192,20 +192,35 @@ SparseSymmetric Objective::hessian_pattern() const {
   return sparse_symmetric(static_cast<int>(has_hard_handle_.size()), edges);
 }
 
+double Objective::largest_step_of(Eigen::Index t, const EnergySettings& settings, const Points& u,
+                                  const Points& step) const {
+  const Corners x = corners_of(u, triangles_.col(t));
+  const Corners s = corners_of(step, triangles_.col(t));
+  const Vec2 x1 = x.col(1) - x.col(0), x2 = x.col(2) - x.col(0);
+  const Vec2 s1 = s.col(1) - s.col(0), s2 = s.col(2) - s.col(0);
+  // 2(A′ − δA) along the line is a quadratic in t.
+  const double floor = 2 * settings.delta * rest_[static_cast<std::size_t>(t)].area;
+  return smallest_positive_root(cross(s1, s2), cross(x1, s2) + cross(s1, x2),
+                                cross(x1, x2) - floor);
+}
+
 double Objective::largest_step(const EnergySettings& settings, const Points& u,
                                const Points& step) const {
-  const auto bound_of = [&](Eigen::Index t) {
-    const Corners x = corners_of(u, triangles_.col(t));
-    const Corners s = corners_of(step, triangles_.col(t));
-    const Vec2 x1 = x.col(1) - x.col(0), x2 = x.col(2) - x.col(0);
-    const Vec2 s1 = s.col(1) - s.col(0), s2 = s.col(2) - s.col(0);
-    // 2(A′ − δA) along the line is a quadratic in t.
-    const double floor = 2 * settings.delta * rest_[static_cast<std::size_t>(t)].area;
-    return smallest_positive_root(cross(s1, s2), cross(x1, s2) + cross(s1, x2),
-                                  cross(x1, x2) - floor);
-  };
+  const auto bound_of = [&](Eigen::Index t) { return largest_step_of(t, settings, u, step); };
   const double of_gaps = settings.guards_boundary() ? guard_.largest_step(u, step) : kInfinity;
   return std::min(of_gaps, least_of_triangles(triangles_.cols(), bound_of));
+}
+
+std::vector<int> Objective::triangles_in_way(const EnergySettings& settings, const Points& u,
+                                             const Points& step, double bound) const {
+  std::vector<double> bounds(rest_.size());
+  for_triangles(triangles_.cols(), [&](std::ptrdiff_t t) {
+    bounds[static_cast<std::size_t>(t)] = largest_step_of(t, settings, u, step);
+  });
+  std::vector<int> result;
+  for (std::size_t t = 0; t < bounds.size(); ++t)
+    if (bounds[t] < bound) result.push_back(static_cast<int>(t));
+  return result;
 }
 
 bool Objective::is_feasible(const EnergySettings& settings, const Points& u,

@@ -71,6 +71,9 @@ class Objective {
   /// where the settings guard the boundary no gap closes; infinite when nothing bounds it, 0 when a
   /// triangle is not so at u.
   double largest_step(const EnergySettings& settings, const Points& u, const Points& step) const;
+  /// The triangles that bound that t below `bound`, in ascending order.
+  std::vector<int> triangles_in_way(const EnergySettings& settings, const Points& u,
+                                    const Points& step, double bound) const;
   /// Whether A′ > δA holds in every triangle at the end of a step from u, and no guarded gap has
   /// closed: rounding can take a bounded step that ends near a fold beyond it.
   bool is_feasible(const EnergySettings& settings, const Points& u, const Points& end) const;
@@ -88,6 +91,9 @@ class Objective {
   RestElement reference(const EnergySettings& settings, Eigen::Index t) const {
     return reference_element(settings, rest_[static_cast<std::size_t>(t)]);
   }
+  /// The largest step of one triangle.
+  double largest_step_of(Eigen::Index t, const EnergySettings& settings, const Points& u,
+                         const Points& step) const;
   ElementBatch batch_of(const Energy& energy, const Points& u, double clamping = 0) const {
     return {energy.settings, triangles_, rest_, u, clamping};
   }

@@ -18,7 +18,6 @@ constexpr double kSmallDecrementOfNewton = 1e-2;
 /// In place of the first, of a large mesh, whose last steps cost most: a triangle in the way bounds
 /// them, so that many bring what the first one promises.
 constexpr double kSmallDecrementOfLarge = 2e-3;
-constexpr int kLargeFrom = 20000;    ///< vertices
 constexpr double kSmallStep = 1e-9;  ///< [D]
 constexpr int kMostSteps = 300;
 /// Flips at the minimum start the descent again when they gain more than this part of E.
@@ -27,8 +26,7 @@ constexpr double kGainOfFlips = 1e-2;
 constexpr int kMostFailures = 3;
 
 bool is_converged(const VertexUpdate& update, double energy, const Workspace& work) {
-  const bool is_large = work.mesh.vertex_count() >= kLargeFrom;
-  double small = is_large ? kSmallDecrementOfLarge : kSmallDecrement;
+  double small = work.is_large() ? kSmallDecrementOfLarge : kSmallDecrement;
   if (update.step_length == 1) small = std::min(small / update.clamping, kSmallDecrementOfNewton);
   return update.decrement <= small * energy ||
          update.step_infinity_norm < kSmallStep * work.settings->diagonal;

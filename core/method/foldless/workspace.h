@@ -44,6 +44,9 @@ struct Workspace {
   /// The scene's energy with the handles held, and a twentieth of the weights of its barriers: they
   /// show handles the way round what would lock, and only spoil the shape that they end in.
   Energy held_energy() const;
+  /// From 20,000 vertices on: where a step of the whole mesh costs so much that what bounds it is
+  /// seen to by itself, and that the last ones are spared.
+  bool is_large() const { return mesh.vertex_count() >= 20000; }
   /// ‖P(u)‖².
   double error() const { return handle_error_squared(constraints, mesh.deformed()); }
   /// Whether the map is in the feasible set of the scene's energy.

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/relax_patches.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "core/mesh/boundary.h"
+#include "core/mesh/patches.h"
+#include "core/solve/descent.h"
+
+namespace foldless {
+namespace relaxing_patches {
+
+constexpr int kRings = 8;
+constexpr int kMostSteps = 10;
+/// A patch is relaxed where the quadratic model promises less than this part of its E.
+constexpr double kSmallDecrement = 1e-4;
+/// Of the vertices; where more are in patches a step of the whole costs little more.
+constexpr double kMostFree = 0.5;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// By vertex, whether it is near a triangle and may move.
+std::vector<bool> free_vertices(const Workspace& work, const std::vector<int>& triangles) {
+  const Triangles& all = work.mesh.triangles();
+  std::vector<bool> is_free(at(work.mesh.vertex_count()));
+  for (const int t : triangles)
+    for (const int v : all.col(t)) is_free[at(v)] = true;
+  grow(is_free, all, kRings);
+  const auto boundary = boundary_neighbours(all, work.mesh.vertex_count());
+  for (std::size_t v = 0; v < boundary.size(); ++v)
+    if (boundary[v].are_there()) is_free[v] = false;
+  for (int i = 0; i < work.constraints.count(); ++i)
+    if (!work.constraints.soft[at(i)]) is_free[at(work.constraints.vertices[at(i)])] = false;
+  return is_free;
+}
+
+/// E of a patch: soft handles at vertices that move pull as they do in the whole, all vertices that
+/// are not free are held.
+Energy energy_of(const Patch& patch, const Points& deformed, const std::vector<bool>& is_free,
+                 const Energy& whole) {
+  Energy energy = whole;
+  energy.settings.gap_weight = 0;
+  std::vector<Handle> handles;
+  std::vector<int> place(is_free.size(), -1);
+  for (int v = 0; v < std::ssize(patch.vertices); ++v) {
+    const int in_whole = patch.vertices[at(v)];
+    if (is_free[at(in_whole)])
+      place[at(in_whole)] = v;
+    else
+      handles.push_back({.vertex = v, .target = deformed.col(v)});
+  }
+  const Constraints& pulls = whole.constraints;
+  for (int i = 0; i < pulls.count(); ++i)
+    if (const int v = place[at(pulls.vertices[at(i)])]; v >= 0)
+      handles.push_back({.vertex = v,
+                         .target = pulls.targets.col(i),
+                         .kind = HandleKind::soft,
+                         .weight = pulls.weights[i]});
+  energy.constraints = held(constraints_of(handles));
+  return energy;
+}
+
+/// Newton's method on the patch alone.
+void relax(MeshPair& patch, const Energy& energy, Effort& effort, const std::stop_token& token) {
+  NewtonSystem system(patch, energy.constraints, effort);
+  Descent descent;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const VertexUpdate update = descent.step(system, patch, energy, token);
+    const bool is_relaxed = update.decrement <= kSmallDecrement * system.energy().total();
+    if (update.cancelled || update.step_length == 0 || is_relaxed) return;
+  }
+}
+
+}  // namespace relaxing_patches
+
+void relax_patches(Workspace& work, const Energy& energy, const std::vector<int>& triangles,
+                   const std::stop_token& token) {
+  using namespace relaxing_patches;
+  const MeshPair& mesh = work.mesh;
+  const std::vector<bool> is_free = free_vertices(work, triangles);
+  const auto free = static_cast<double>(std::ranges::count(is_free, true));
+  if (free > kMostFree * mesh.vertex_count()) return;
+  Points u = mesh.deformed();
+  for (const Patch& patch : patches(mesh.triangles(), is_free)) {
+    if (token.stop_requested()) break;
+    MeshPair part(patch.triangles, mesh.rest()(Eigen::all, patch.vertices),
+                  u(Eigen::all, patch.vertices));
+    part.set_stiffness(mesh.stiffness());
+    relax(part, energy_of(patch, part.deformed(), is_free, energy), work.system.effort(), token);
+    u(Eigen::all, patch.vertices) = part.deformed();
+  }
+  work.mesh.set_deformed(std::move(u));
+  work.system.factor().outdate();
+}
+
+}  // namespace foldless
