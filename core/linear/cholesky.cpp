@@ -13,6 +13,10 @@
 namespace foldless {
 namespace {
 
+/// From so many values on, 160 MB in doubles, the factor, its copy in single precision and the update
+/// matrices are not held all at once: to be given memory anew costs little beside a factorization.
+constexpr std::size_t kManyValues = 20'000'000;
+
 /// Room for so many values that no copy looks at.
 template <class Value>
 Value* own_room(std::shared_ptr<Buffer<Value>>& buffer, std::size_t size) {
@@ -39,9 +43,12 @@ bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision 
                   matrix.size();
     single_is_of_the_factor_ = has_factor_;
   } else {
+    const bool is_many = symbolic_->values >= kManyValues;
+    if (is_many) single_.reset();
     double* values = own_room(values_, symbolic_->values);
     has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values, work_.updates, token_) ==
                   matrix.size();
+    if (is_many) work_.updates = {};
   }
   return has_factor_;
 }

@@ -81,6 +81,18 @@ TEST(Cholesky, TwoLargeSolvesAtOnceDoNotDisturbEachOther) {
   EXPECT_EQ(spoilt, (std::array<int, 2>{}));
 }
 
+TEST(Cholesky, AVeryLargeFactorServesInBothPrecisionsTimeAndAgain) {
+  const SparseSymmetric m = laplacian_of_grid(450);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  for (const double shift : {1.0, 2.0}) {
+    ASSERT_TRUE(cholesky.factorize(m, shift));
+    EXPECT_LT(residual(m, shift, cholesky.precondition(b), b), 1e-4);
+    EXPECT_LT(residual(m, shift, cholesky.solve(b), b), 1e-12);
+  }
+}
+
 // Both sizes: a few supernodes and many.
 class CholeskyTest : public testing::TestWithParam<int> {};
 
