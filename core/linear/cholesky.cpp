@@ -13,8 +13,9 @@
 namespace foldless {
 namespace {
 
-/// From so many values on, 160 MB in doubles, the factor, its copy in single precision and the update
-/// matrices are not held all at once: to be given memory anew costs little beside a factorization.
+/// From so many values on, 160 MB in doubles, the factor, its copy in single precision and the
+/// update matrices are not held all at once: to be given memory anew costs little beside a
+/// factorization.
 constexpr std::size_t kManyValues = 20'000'000;
 
 /// Room for so many values that no copy looks at.
