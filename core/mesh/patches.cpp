@@ -12,7 +12,7 @@ namespace {
 
 std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
-/// A corner −1 where none is free.
+/// A free corner; −1 where there is none.
 int free_corner(const Eigen::Vector3i& triangle, const std::vector<bool>& is_free) {
   for (const int v : triangle)
     if (is_free[at(v)]) return v;

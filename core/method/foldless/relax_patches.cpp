@@ -80,8 +80,8 @@ void relax_patches(Workspace& work, const Energy& energy, const std::vector<int>
   using namespace relaxing_patches;
   const MeshPair& mesh = work.mesh;
   const std::vector<bool> is_free = free_vertices(work, triangles);
-  const auto free = static_cast<double>(std::ranges::count(is_free, true));
-  if (free > kMostFree * mesh.vertex_count()) return;
+  const auto free_count = static_cast<double>(std::ranges::count(is_free, true));
+  if (free_count > kMostFree * mesh.vertex_count()) return;
   Points u = mesh.deformed();
   for (const Patch& patch : patches(mesh.triangles(), is_free)) {
     if (token.stop_requested()) break;
