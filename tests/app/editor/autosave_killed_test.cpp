@@ -87,20 +87,24 @@ TEST_F(AutosaveKilled, AtAnyMomentItLeavesWhatWasKept) {
     waitpid(child, nullptr, 0);
 
     make_editor({.state_folder = folder.path() / "state", .wake = {}});
-    int kept = -1;
+    int saved = -1, recovered = -1;
     if (fs::exists(folder / "scene.json")) {
       editor_->files().open(folder / "scene.json");
       EXPECT_FALSE(editor_->document().is_empty()) << toasts();
-      kept = step_of(editor_->document());
+      saved = step_of(editor_->document());
     }
     find_lost_work();
-    if (editor_->files().recovery().is_open()) {
+    const bool is_found = editor_->files().recovery().is_open();
+    if (is_found) {
       EXPECT_EQ(editor_->files().recovery().problem(), "");
       editor_->files().recover();
       EXPECT_TRUE(is_valid());
-      kept = std::max(kept, step_of(editor_->document()));
+      recovered = step_of(editor_->document());
     }
-    EXPECT_GE(kept + 1, steps_before) << "it was copied";
+    EXPECT_GE(std::max(saved, recovered) + 1, steps_before)
+        << "it was copied; in the file is step " << saved << ", "
+        << (is_found ? "recovered is " + std::to_string(recovered) : "nothing was left")
+        << ", done were " << steps;
     editor_.reset();
   }
   munmap(shared, sizeof(std::atomic<int>));
