@@ -91,6 +91,7 @@ TEST_F(InBackground, AMomentIsSolvedOnceAsTheSolverDoes) {
     ASSERT_TRUE(test::comes_true([&] { return moment.at(0.25, before, frames_) != nullptr; }));
     EXPECT_EQ(moment.at(0.25, before, frames_)->frame, 0.25);
   }
+  ASSERT_TRUE(test::comes_true([&] { return solved > 0; })) << "told after it is there";
   EXPECT_EQ(solved, 1);
   EXPECT_EQ(moment.at(0.75, before, frames_), nullptr) << "another is never shown in its place";
   ASSERT_TRUE(test::comes_true([&] { return moment.at(0.75, before, frames_) != nullptr; }));
