@@ -45,26 +45,26 @@ std::vector<std::vector<int>> groups(const Triangles& triangles, const std::vect
 }
 
 /// An edge of a triangle with the two corners 3 t + c at its ends.
-struct Side {
+struct TriangleSide {
   std::array<int, 2> ends, corners;
 };
 
 /// For every corner 3 t + c of the triangles a number that two corners share when they are at one
 /// vertex, and triangles that share edges lead round it from one to the other.
 std::vector<int> fans(const Triangles& triangles) {
-  std::vector<Side> sides;
+  std::vector<TriangleSide> sides;
   sides.reserve(at(3 * triangles.cols()));
   for (int t = 0; t < triangles.cols(); ++t)
     for (int c = 0; c < 3; ++c) {
       const int next = (c + 1) % 3;
-      Side side{{triangles(c, t), triangles(next, t)}, {3 * t + c, 3 * t + next}};
+      TriangleSide side{{triangles(c, t), triangles(next, t)}, {3 * t + c, 3 * t + next}};
       if (side.ends[0] > side.ends[1]) {
         std::swap(side.ends[0], side.ends[1]);
         std::swap(side.corners[0], side.corners[1]);
       }
       sides.push_back(side);
     }
-  std::ranges::sort(sides, {}, [](const Side& side) { return side.ends; });
+  std::ranges::sort(sides, {}, [](const TriangleSide& side) { return side.ends; });
   Triangles joined(3, 2 * static_cast<Eigen::Index>(sides.size()));
   Eigen::Index count = 0;
   for (std::size_t i = 1; i < sides.size(); ++i) {
