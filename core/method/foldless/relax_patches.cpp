@@ -78,6 +78,7 @@ void relax(MeshPair& patch, const Energy& energy, Effort& effort, const std::sto
 void relax_patches(Workspace& work, const Energy& energy, const std::vector<int>& triangles,
                    const std::stop_token& token) {
   using namespace relaxing_patches;
+  if (triangles.empty()) return;
   const MeshPair& mesh = work.mesh;
   const std::vector<bool> is_free = free_vertices(work, triangles);
   const auto free_count = static_cast<double>(std::ranges::count(is_free, true));
