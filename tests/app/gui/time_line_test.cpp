@@ -178,9 +178,11 @@ TEST_F(TimeLine, MarksFramesThatAreNotReached) {
   EXPECT_GT(differing_pixels(before, headless_.picture()), 20);
   headless_.click(ruler(10));
   headless_.settle();
-  const Status status = headless_.editor().status();
-  EXPECT_EQ(status.kind, StatusKind::blocked);
-  EXPECT_TRUE(headless_.find_words(status.words)) << status.words;
+  const auto status = [this] { return headless_.editor().status(); };
+  EXPECT_EQ(status().kind, StatusKind::blocked);
+  // The moments between the frames are proved meanwhile, and the words change once they are.
+  const auto says_so = [&] { return headless_.find_words(status().words).has_value(); };
+  EXPECT_TRUE(headless_.wait_until(says_so)) << status().words;
 }
 
 TEST_F(TimeLine, AHandleDraggedAtThePlayHeadGetsAKeyThere) {
