@@ -73,15 +73,15 @@ Objective::Objective(const MeshPair& mesh, const Constraints& constraints)
 }
 
 void Objective::follow_flips(const MeshPair& mesh) {
-  triangles_of_handles_.clear();
-  for (Eigen::Index i = 0; i < triangles_.cols(); ++i) {
+  for_triangles(triangles_.cols(), [&](std::ptrdiff_t i) {
     const Eigen::Vector3i t = mesh.triangles().col(i);
-    if (std::ranges::any_of(t, [&](int v) { return has_hard_handle(v); }))
-      triangles_of_handles_.push_back(i);
-    if (triangles_.col(i) == t) continue;
+    if (triangles_.col(i) == t) return;
     triangles_.col(i) = t;
     rest_[static_cast<std::size_t>(i)] = rest_element(mesh, t);
-  }
+  });
+  triangles_of_handles_ = triangles_where(triangles_.cols(), [&](int i) {
+    return std::ranges::any_of(triangles_.col(i), [&](int v) { return has_hard_handle(v); });
+  });
   constexpr Eigen::Index kSharedFrom = 2048;
   if (present_team() && triangles_.cols() >= kSharedFrom)
     corners_.assign(triangles_, has_hard_handle_.size());
@@ -143,7 +143,7 @@ void Objective::add_columns(const BlocksOf<double>& blocks, const Corner& of,
 Eigen::VectorXd Objective::pull_of_handles(const EnergySettings& settings, const Points& u,
                                            const Points& way) const {
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(u.size());
-  for (const Eigen::Index t : triangles_of_handles_) {
+  for (const int t : triangles_of_handles_) {
     const auto& corners = triangles_.col(t);
     const Corners moves = corners_of(way, corners);
     if (moves.isZero(0)) continue;
@@ -213,14 +213,8 @@ double Objective::largest_step(const EnergySettings& settings, const Points& u,
 
 std::vector<int> Objective::triangles_in_way(const EnergySettings& settings, const Points& u,
                                              const Points& step, double bound) const {
-  std::vector<double> bounds(rest_.size());
-  for_triangles(triangles_.cols(), [&](std::ptrdiff_t t) {
-    bounds[static_cast<std::size_t>(t)] = largest_step_of(t, settings, u, step);
-  });
-  std::vector<int> result;
-  for (std::size_t t = 0; t < bounds.size(); ++t)
-    if (bounds[t] < bound) result.push_back(static_cast<int>(t));
-  return result;
+  return triangles_where(triangles_.cols(),
+                         [&](int t) { return largest_step_of(t, settings, u, step) < bound; });
 }
 
 bool Objective::is_feasible(const EnergySettings& settings, const Points& u,

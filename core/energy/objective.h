@@ -122,7 +122,7 @@ class Objective {
   std::vector<bool> has_hard_handle_;               ///< by vertex
   Triangles triangles_;                             ///< 3 × #F
   std::vector<RestElement> rest_;                   ///< one a triangle
-  std::vector<Eigen::Index> triangles_of_handles_;  ///< those with a corner at a hard handle
+  std::vector<int> triangles_of_handles_;  ///< those with a corner at a hard handle
   CornersOfVertices corners_;  ///< empty where the triangles are too few to share
   Scratch<ElementEnergy> energies_;
   Scratch<Matrix2<double>> gradients_;

@@ -51,6 +51,19 @@ bool all_triangles(std::ptrdiff_t count, const Holds& holds) {
   return all;
 }
 
+/// The triangles of which condition(t) holds, in their order.
+template <class Condition>
+std::vector<int> triangles_where(std::ptrdiff_t count, const Condition& condition) {
+  std::vector<char> holds(static_cast<std::size_t>(count));
+  for_triangles(count, [&](std::ptrdiff_t t) {
+    holds[static_cast<std::size_t>(t)] = condition(static_cast<int>(t));
+  });
+  std::vector<int> triangles;
+  for (std::size_t t = 0; t < holds.size(); ++t)
+    if (holds[t]) triangles.push_back(static_cast<int>(t));
+  return triangles;
+}
+
 /// The corners of triangles at every vertex, so that sums over the triangles round a vertex are
 /// taken by one thread, in the order in which a loop over all triangles takes them.
 class CornersOfVertices {

@@ -2,6 +2,7 @@
 #include "core/linear/multifrontal.h"
 
 #include <algorithm>
+#include <mutex>
 #include <type_traits>
 #include <vector>
 
@@ -31,6 +32,43 @@ struct NodesOfFront {
   int begin, end;
 };
 
+/// Where update matrices are.
+template <class Value>
+struct UpdatePlaces {
+  Value* own;          ///< `update_start` of a supernode counts from here,
+  Value* of_children;  ///< and that of its children from here
+};
+
+/// Room for the update matrices of one subtree for each thread, so that it is used again while it
+/// is in the thread's cache.
+template <class Value>
+class SubtreeStacks {
+ public:
+  SubtreeStacks(Value* room, std::size_t size, int count) {
+    for (int i = count - 1; i >= 0; --i) free_.push_back(room + static_cast<std::size_t>(i) * size);
+  }
+  Value* take() {
+    const std::scoped_lock lock(guard_);
+    Value* stack = free_.back();
+    free_.pop_back();
+    return stack;
+  }
+  void give_back(Value* stack) {
+    const std::scoped_lock lock(guard_);
+    free_.push_back(stack);
+  }
+
+ private:
+  std::mutex guard_;
+  std::vector<Value*> free_;
+};
+
+/// As many as subtrees can be worked on at once.
+int stacks_of_subtrees(const SymbolicFactor& factor) {
+  const int threads = present_team() ? present_team()->size() : 1;
+  return std::min(threads, static_cast<int>(factor.subtrees.size()));
+}
+
 /// Columns of a square that are worth handing out together: some tens of thousands of values.
 int columns_together(int rows) { return 2 * std::max(8, 16384 / std::max(rows, 1)); }
 
@@ -48,6 +86,7 @@ class Multifrontal {
         shift_(shift),
         values_(values),
         updates_(updates),
+        stacks_(updates + factor.updates, factor.subtree_updates, stacks_of_subtrees(factor)),
         token_(token) {}
 
   int run() {
@@ -60,29 +99,32 @@ class Multifrontal {
     int first = factor_.size();
     for (const int column : found) first = std::min(first, column);
     for (std::size_t i = 0; i < factor_.top.size() && first == factor_.size(); ++i)
-      first = eliminate(static_cast<std::size_t>(factor_.top[i]));
+      first = eliminate(static_cast<std::size_t>(factor_.top[i]), {updates_, updates_});
     return first;
   }
 
  private:
   /// The number of columns, or the first whose pivot is not positive.
-  int run_subtree(const Subtree& subtree) const {
-    for (int k = subtree.first; k <= subtree.root; ++k) {
-      const int found = eliminate(static_cast<std::size_t>(k));
-      if (found < factor_.size()) return found;
-    }
-    return factor_.size();
+  int run_subtree(const Subtree& subtree) {
+    Value* stack = stacks_.take();
+    int found = factor_.size();
+    for (int k = subtree.first; k < subtree.root && found == factor_.size(); ++k)
+      found = eliminate(static_cast<std::size_t>(k), {stack, stack});
+    if (found == factor_.size())
+      found = eliminate(static_cast<std::size_t>(subtree.root), {updates_, stack});
+    stacks_.give_back(stack);
+    return found;
   }
 
   /// The same, of one supernode.
-  int eliminate(std::size_t k) const {
+  int eliminate(std::size_t k, const UpdatePlaces<Value>& updates) const {
     const Supernode& s = factor_.supernodes[k];
     if (token_.stop_requested()) return s.first;
-    const Front<Value> front = front_of(s);
+    const Front<Value> front = front_of(s, updates.own);
     const DenseKernels<Value>& kernels = dense_kernels<Value>();
     std::fill_n(front.panel.value, static_cast<std::size_t>(s.rows()) * s.columns, Value{0});
     add_matrix(k, front.panel);
-    if (s.child >= 0) add_updates(s, front);
+    if (s.child >= 0) add_updates(s, front, updates.of_children);
     const int found = factorize_panel(front.panel, kernels);
     if (found < s.columns) return s.first + found;
     if (s.below > 0)
@@ -94,8 +136,8 @@ class Multifrontal {
     return factor_.size();
   }
 
-  Front<Value> front_of(const Supernode& s) const {
-    return {{values_ + s.value_start, s.rows(), s.columns}, updates_ + s.update_start, s.below};
+  Front<Value> front_of(const Supernode& s, Value* updates) const {
+    return {{values_ + s.value_start, s.rows(), s.columns}, updates + s.update_start, s.below};
   }
 
   void add_matrix(std::size_t k, const DensePanel<Value>& panel) const {
@@ -126,7 +168,7 @@ class Multifrontal {
     }
   }
 
-  void add_updates(const Supernode& s, const Front<Value>& front) const {
+  void add_updates(const Supernode& s, const Front<Value>& front, const Value* of_children) const {
     in_ranges(s.below, columns_together(s.below), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
       for (std::ptrdiff_t j = begin; j < end; ++j) {
         const std::ptrdiff_t from = j & ~3;  // the kernels take whole blocks on the diagonal
@@ -137,18 +179,19 @@ class Multifrontal {
       const Supernode& child = factor_.supernodes[static_cast<std::size_t>(k)];
       in_ranges(child.below / 2, columns_together(child.below) / 2,
                 [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-                  add_update(child, front, {static_cast<int>(begin), static_cast<int>(end)});
+                  add_update(child, of_children + child.update_start, front,
+                             {static_cast<int>(begin), static_cast<int>(end)});
                 });
       k = child.sibling;
     }
   }
 
   /// The columns of some nodes of the update matrix of a child.
-  void add_update(const Supernode& child, const Front<Value>& front, NodesOfFront nodes) const {
+  void add_update(const Supernode& child, const Value* update, const Front<Value>& front,
+                  NodesOfFront nodes) const {
     const std::span<const int> places = factor_.places_of(child);
     const int* place = places.data();
-    const Value* a =
-        front_of(child).update + static_cast<std::ptrdiff_t>(2 * nodes.begin) * child.below;
+    const Value* a = update + static_cast<std::ptrdiff_t>(2 * nodes.begin) * child.below;
     for (int j = 2 * nodes.begin; j < 2 * nodes.end; j += 2) {
       const Value* b = a + child.below;
       Value* to_a = front.column(2 * place[j / 2]);
@@ -169,6 +212,7 @@ class Multifrontal {
   double shift_;
   Value* values_;
   Value* updates_;
+  SubtreeStacks<Value> stacks_;
   const std::stop_token& token_;
 };
 
@@ -178,7 +222,8 @@ template <class Value>
 // NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
               Value* values, Buffer<std::byte>& updates, const std::stop_token& token) {
-  updates.reserve(factor.updates * sizeof(Value));
+  const auto stacks = static_cast<std::size_t>(stacks_of_subtrees(factor));
+  updates.reserve((factor.updates + stacks * factor.subtree_updates) * sizeof(Value));
   auto* room = reinterpret_cast<Value*>(updates.data());
   return Multifrontal<Value>(factor, matrix, shift, values, room, token).run();
 }

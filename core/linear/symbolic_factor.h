@@ -21,7 +21,9 @@ struct Supernode {
   int sibling = -1;  ///< the next child of the parent; −1: none
   std::size_t row_start = 0;     ///< where `rows` and `places` of the symbolic factor tell of it
   std::size_t value_start = 0;   ///< where its panel begins
-  std::size_t update_start = 0;  ///< where its update matrix begins, below × below
+  /// Where its update matrix begins, below × below: in a subtree, but for its root, in stacks that
+  /// subtrees have in turn.
+  std::size_t update_start = 0;
   std::size_t block_start = 0;   ///< where `blocks` begin that belong to it
 
   int rows() const { return columns + below; }
@@ -57,6 +59,7 @@ struct SymbolicFactor {
   std::vector<int> solve_rows;
   std::size_t values = 0;   ///< of all panels
   std::size_t updates = 0;  ///< room for the update matrices that wait for their parents
+  std::size_t subtree_updates = 0;  ///< the same of one subtree at a time, but for its root's
   int outer = 0;            ///< outer places of all subtrees
   int largest_front = 0;    ///< rows of the largest panel
 

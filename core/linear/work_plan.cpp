@@ -76,18 +76,20 @@ class Planner {
     }
   }
 
-  /// Every subtree has stacks of its own, and one place for what its root hands up.
+  /// A subtree has stacks only while somebody works on it, and a place for what its root hands up.
   void place_updates() {
     std::vector<int> all(factor_.supernodes.size());
     std::iota(all.begin(), all.end(), 0);
     for (const Subtree& subtree : factor_.subtrees) {
       Supernode& root = factor_.supernodes[as_index(subtree.root)];
-      stack_updates(
-          std::span(all).subspan(as_index(subtree.first), as_index(subtree.root - subtree.first)));
+      const std::size_t size = stack_updates(
+          std::span(all).subspan(as_index(subtree.first), as_index(subtree.root - subtree.first)),
+          0);
+      factor_.subtree_updates = std::max(factor_.subtree_updates, size);
       root.update_start = factor_.updates;
       factor_.updates += update_size(root);
     }
-    stack_updates(factor_.top);
+    factor_.updates += stack_updates(factor_.top, factor_.updates);
   }
 
  private:
@@ -100,8 +102,8 @@ class Planner {
   }
 
   /// A parent's update matrix is made while those of its children are there: they are in the other
-  /// one of two stacks, where they are the last.
-  void stack_updates(std::span<const int> supernodes) {
+  /// one of two stacks, where they are the last. The stacks begin at `start`; returns their size.
+  std::size_t stack_updates(std::span<const int> supernodes, std::size_t start) {
     std::size_t top[2] = {}, size[2] = {};
     for (const int k : supernodes) {
       Supernode& s = factor_.supernodes[as_index(k)];
@@ -113,9 +115,8 @@ class Planner {
       if (child >= 0) top[1 - own] = factor_.supernodes[as_index(child)].update_start;
     }
     for (const int k : supernodes)
-      factor_.supernodes[as_index(k)].update_start +=
-          factor_.updates + (is_odd_[as_index(k)] ? size[0] : 0);
-    factor_.updates += size[0] + size[1];
+      factor_.supernodes[as_index(k)].update_start += start + (is_odd_[as_index(k)] ? size[0] : 0);
+    return size[0] + size[1];
   }
 
   int first_stacked_child(const Supernode& s) const {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/energy/shared_elements.h"
 #include "core/mesh/injective.h"
 #include "core/multires/holding_triangles.h"
 #include "core/multires/insert_edge.h"
@@ -20,6 +21,8 @@ namespace {
 constexpr double kLargestRatio = 2;
 /// Energy per area that is none: what rounding makes of the identity is less.
 constexpr double kNoEnergy = 1e-6;
+/// Vertices that are placed by one task.
+constexpr std::ptrdiff_t kVerticesTogether = 4096;
 
 double energy_per_area(const MeshPair& mesh, int t, const EnergySettings& energy) {
   const Eigen::Vector3i corners = mesh.triangles().col(t);
@@ -48,12 +51,16 @@ class Prolongation {
         holding_(holding_triangles(coarse, fine)),
         is_inserted_(static_cast<std::size_t>(coarse.mesh.edge_count()), false),
         result_{fine} {
+    per_area_.resize(static_cast<std::size_t>(coarse.mesh.face_count()));
+    for_triangles(coarse.mesh.face_count(), [&](std::ptrdiff_t t) {
+      per_area_[static_cast<std::size_t>(t)] =
+          energy_per_area(coarse.mesh, static_cast<int>(t), energy);
+    });
     double sum = 0;
     int finite = 0;
-    for (int t = 0; t < coarse.mesh.face_count(); ++t) {
-      per_area_.push_back(energy_per_area(coarse.mesh, t, energy));
-      if (!std::isfinite(per_area_.back())) continue;
-      sum += per_area_.back();
+    for (const double energy_of_one : per_area_) {
+      if (!std::isfinite(energy_of_one)) continue;
+      sum += energy_of_one;
       ++finite;
     }
     mean_ = std::max(kNoEnergy, sum / std::max(1, finite));
@@ -78,8 +85,10 @@ class Prolongation {
   Points positions() const {
     const MeshPair& fine = result_.mesh;
     Points u = fine.deformed();
-    for (int v = 0; v < fine.vertex_count(); ++v)
+    each_in_ranges(fine.vertex_count(), kVerticesTogether, [&](std::ptrdiff_t i) {
+      const auto v = static_cast<int>(i);
       if (holding(v) >= 0) u.col(v) = place(fine.rest().col(v), holding(v));
+    });
     for (std::size_t i = 0; i < coarse_.vertices.size(); ++i)
       u.col(coarse_.vertices[i]) = coarse_.mesh.deformed().col(static_cast<Eigen::Index>(i));
     return u;
@@ -107,9 +116,9 @@ class Prolongation {
 
   bool is_valid() const {
     const MeshPair& mesh = result_.mesh;
-    for (int t = 0; t < mesh.face_count(); ++t)
-      if (!is_feasible(t)) return false;
-    return is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
+    const auto is_open = [&](std::ptrdiff_t t) { return is_feasible(static_cast<int>(t)); };
+    return all_triangles(mesh.face_count(), is_open) &&
+           is_injective(mesh.triangles(), mesh.rest(), mesh.deformed());
   }
 
   // Flips make other triangles lie across other edges; none is inserted twice.
@@ -119,19 +128,16 @@ class Prolongation {
   }
 
   std::vector<int> triangles_that_lie_across() const {
-    std::vector<int> triangles;
-    for (int t = 0; t < result_.mesh.face_count(); ++t)
-      if (energy_per_area(result_.mesh, t, energy_) > largest_energy_per_area(t))
-        triangles.push_back(t);
-    return triangles;
+    return triangles_where(result_.mesh.face_count(), [&](int t) {
+      return energy_per_area(result_.mesh, t, energy_) > largest_energy_per_area(t);
+    });
   }
 
   /// With those round boundary vertices that overlap themselves.
   std::vector<int> invalid_triangles() const {
     const MeshPair& mesh = result_.mesh;
-    std::vector<int> triangles;
-    for (int t = 0; t < mesh.face_count(); ++t)
-      if (!is_feasible(t)) triangles.push_back(t);
+    std::vector<int> triangles =
+        triangles_where(mesh.face_count(), [&](int t) { return !is_feasible(t); });
     for (const int v : overlapping_boundary_vertices(mesh.triangles(), mesh.deformed()))
       std::ranges::copy(mesh.triangles_of_vertex(v), std::back_inserter(triangles));
     return triangles;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <random>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/linear/cholesky.h"
@@ -165,6 +166,26 @@ TEST(Multifrontal, SubtreesGiveTheSameBitsToAnyNumberOfThreads) {
     EXPECT_LT((image - ones).norm(), 1e-10 * ones.norm());
   }
   EXPECT_GT(parted, kSeeds / 2);
+}
+
+/// Diagonal edges make it a mesh of triangles.
+SparseSymmetric of_a_square(int side) {
+  std::vector<std::pair<int, int>> edges;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const int node = i * side + j;
+      if (j + 1 < side) edges.emplace_back(node, node + 1);
+      if (i + 1 < side) edges.emplace_back(node, node + side);
+      if (i + 1 < side && j + 1 < side) edges.emplace_back(node, node + side + 1);
+    }
+  return sparse_symmetric(side * side, edges);
+}
+
+TEST(Multifrontal, UpdateMatricesOfSubtreesHaveTheSameRoomInTurn) {
+  const SparseSymmetric m = of_a_square(150);
+  const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m), 0);
+  EXPECT_GT(factor.subtrees.size(), 15U);
+  EXPECT_LT(2 * factor.subtree_updates + factor.updates, factor.values / 2);
 }
 
 TEST(Multifrontal, TwoAtOnceGiveTheSameBitsAsOneAfterTheOther) {

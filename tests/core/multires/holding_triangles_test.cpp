@@ -9,6 +9,7 @@
 #include "core/mesh/generate.h"
 #include "core/mesh/injective.h"
 #include "core/mesh/orientation.h"
+#include "core/threads/team.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/spiral.h"
 
@@ -83,6 +84,15 @@ TEST(HoldingTriangles, AreFoundAfterTheCoarseMeshWasFlippedAndSplit) {
   for (int v = 0; v < fine.vertex_count(); ++v)
     EXPECT_TRUE(holds(coarse.mesh, triangles[static_cast<std::size_t>(v)], fine.rest().col(v)))
         << "vertex " << v;
+}
+
+TEST(HoldingTriangles, AreTheSameHoweverManyThreadsSeekThem) {
+  const MeshPair fine = shape_as_mesh(grid({.columns = 150, .rows = 150}));
+  const CoarseMesh coarse = coarsened(fine, {}, 2000);
+  const std::vector<int> alone = holding_triangles(coarse, fine);
+  Team team(3);
+  const WithTeam with(&team);
+  EXPECT_EQ(holding_triangles(coarse, fine), alone);
 }
 
 TEST(HoldingTriangles, VerticesThatNoTriangleUsesHaveNone) {
