@@ -119,11 +119,11 @@ class Objective {
   void add_pull_of_gaps(const EnergySettings& settings, const Points& u, const Points& way,
                         Eigen::VectorXd& pull) const;
 
-  std::vector<bool> has_hard_handle_;               ///< by vertex
-  Triangles triangles_;                             ///< 3 × #F
-  std::vector<RestElement> rest_;                   ///< one a triangle
+  std::vector<bool> has_hard_handle_;      ///< by vertex
+  Triangles triangles_;                    ///< 3 × #F
+  std::vector<RestElement> rest_;          ///< one a triangle
   std::vector<int> triangles_of_handles_;  ///< those with a corner at a hard handle
-  CornersOfVertices corners_;  ///< empty where the triangles are too few to share
+  CornersOfVertices corners_;              ///< empty where the triangles are too few to share
   Scratch<ElementEnergy> energies_;
   Scratch<Matrix2<double>> gradients_;
   Scratch<BlocksOf<double>> hessians_;

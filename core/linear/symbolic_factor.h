@@ -19,12 +19,12 @@ struct Supernode {
   int parent = -1;   ///< the supernode whose columns hold the first row below; −1: a root
   int child = -1;    ///< the first that this one is the parent of; −1: none
   int sibling = -1;  ///< the next child of the parent; −1: none
-  std::size_t row_start = 0;     ///< where `rows` and `places` of the symbolic factor tell of it
-  std::size_t value_start = 0;   ///< where its panel begins
+  std::size_t row_start = 0;    ///< where `rows` and `places` of the symbolic factor tell of it
+  std::size_t value_start = 0;  ///< where its panel begins
   /// Where its update matrix begins, below × below: in a subtree, but for its root, in stacks that
   /// subtrees have in turn.
   std::size_t update_start = 0;
-  std::size_t block_start = 0;   ///< where `blocks` begin that belong to it
+  std::size_t block_start = 0;  ///< where `blocks` begin that belong to it
 
   int rows() const { return columns + below; }
 };
@@ -57,11 +57,11 @@ struct SymbolicFactor {
   /// The same as `rows`, but what a subtree has in rows above it is at places of its own beyond the
   /// end of the matrix, its *outer* places, in the order of its root's rows.
   std::vector<int> solve_rows;
-  std::size_t values = 0;   ///< of all panels
-  std::size_t updates = 0;  ///< room for the update matrices that wait for their parents
+  std::size_t values = 0;           ///< of all panels
+  std::size_t updates = 0;          ///< room for the update matrices that wait for their parents
   std::size_t subtree_updates = 0;  ///< the same of one subtree at a time, but for its root's
-  int outer = 0;            ///< outer places of all subtrees
-  int largest_front = 0;    ///< rows of the largest panel
+  int outer = 0;                    ///< outer places of all subtrees
+  int largest_front = 0;            ///< rows of the largest panel
 
   int size() const { return 2 * static_cast<int>(order.size()); }
   /// Of a vector with its outer places.
