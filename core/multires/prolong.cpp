@@ -22,7 +22,7 @@ constexpr double kLargestRatio = 2;
 /// Energy per area that is none: what rounding makes of the identity is less.
 constexpr double kNoEnergy = 1e-6;
 /// Vertices that are placed by one task.
-constexpr std::ptrdiff_t kVerticesTogether = 4096;
+constexpr std::ptrdiff_t kPlacedTogether = 4096;
 
 double energy_per_area(const MeshPair& mesh, int t, const EnergySettings& energy) {
   const Eigen::Vector3i corners = mesh.triangles().col(t);
@@ -85,7 +85,7 @@ class Prolongation {
   Points positions() const {
     const MeshPair& fine = result_.mesh;
     Points u = fine.deformed();
-    each_in_ranges(fine.vertex_count(), kVerticesTogether, [&](std::ptrdiff_t i) {
+    each_in_ranges(fine.vertex_count(), kPlacedTogether, [&](std::ptrdiff_t i) {
       const auto v = static_cast<int>(i);
       if (holding(v) >= 0) u.col(v) = place(fine.rest().col(v), holding(v));
     });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/energy/element.h"
 #include "core/multires/triangle_search.h"
 
 namespace foldless {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/energy/densities.h"
+#include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/mesh_io.h"
 #include "core/files/polygon_soup.h"
