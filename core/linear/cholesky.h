@@ -27,6 +27,7 @@ class Cholesky {
   void analyze(const SparseSymmetric& matrix, bool keep_ordering = false);
   /// What may stop a factorization from now on.
   void obey(std::stop_token token) { token_ = std::move(token); }
+  const std::stop_token& token() const { return token_; }
   bool is_stopped() const { return token_.stop_requested(); }
   /// Factorizes matrix + shift·I; false when that is not positive definite, as far as the precision
   /// tells, or it was stopped. Precondition: analyze() was called with the same pattern.

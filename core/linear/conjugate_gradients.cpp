@@ -52,14 +52,9 @@ Progress best_guess(const SparseSymmetric& A, const Eigen::VectorXd& b,
 }  // namespace
 
 ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
-                                              Cholesky& factor,
+                                              const Preconditioner& precondition,
                                               const ConjugateGradientSettings& settings) {
   ConjugateGradientSolution solution;
-  const bool is_single =
-      settings.least_gain >= kLeastGainOfSinglePrecision || factor.precision() == Precision::single;
-  const auto precondition = [&](const Eigen::VectorXd& r) {
-    return is_single ? factor.precondition(r) : factor.solve(r);
-  };
   auto [x, residual, decrease] = best_guess(A, b, settings.guesses);
   solution.x = std::move(x);
   Eigen::VectorXd image(b.size());
@@ -78,14 +73,15 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
     }
     const double length = norm / curvature;
     const double gain = 0.5 * length * norm;
+    const bool is_slow = solution.iterations > 0 && gain > settings.largest_gain * decrease;
     decrease += gain;
     solution.x += length * direction;
     if (gain <= settings.least_gain * decrease) return solution;
-    if (++solution.iterations >= settings.most_iterations) {
+    if (++solution.iterations >= settings.most_iterations || is_slow) {
       solution.end = ConjugateGradientEnd::slow;
       return solution;
     }
-    if (factor.is_stopped()) {
+    if (settings.token.stop_requested()) {
       solution.end = ConjugateGradientEnd::stopped;
       return solution;
     }
@@ -96,6 +92,19 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
     norm = next_norm;
   }
   return solution;
+}
+
+ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
+                                              Cholesky& factor,
+                                              const ConjugateGradientSettings& settings) {
+  const bool is_single =
+      settings.least_gain >= kLeastGainOfSinglePrecision || factor.precision() == Precision::single;
+  const Preconditioner precondition = [&](const Eigen::VectorXd& r) {
+    return is_single ? factor.precondition(r) : factor.solve(r);
+  };
+  ConjugateGradientSettings stoppable = settings;
+  stoppable.token = factor.token();
+  return conjugate_gradients(A, b, precondition, stoppable);
 }
 
 }  // namespace foldless

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <limits>
 #include <span>
+#include <stop_token>
 
 #include "core/linear/cholesky.h"
 #include "core/linear/sparse_symmetric.h"
@@ -18,13 +21,17 @@ struct ConjugateGradientSettings {
   /// was done. Those of another size, or that are nearly such a sum of those before them, count as
   /// none. A product with A each.
   std::span<const Eigen::VectorXd> guesses = {};
+  /// The method gives up where an iteration but the first lowers ½xᵀAx − bᵀx by more than this part
+  /// of what those before it did: many more would follow.
+  double largest_gain = std::numeric_limits<double>::infinity();
+  std::stop_token token = {};  ///< once it is set the method stops
 };
 
 /// How conjugate_gradients() ended.
 enum class ConjugateGradientEnd {
   converged,
   slow,       ///< gave up, also where the preconditioner gave no numbers
-  stopped,    ///< as the factor is to obey
+  stopped,    ///< as the settings say, or what the factor is to obey
   indefinite  ///< met a direction p with pᵀAp ≤ 0
 };
 
@@ -35,9 +42,16 @@ struct ConjugateGradientSolution {
   ConjugateGradientEnd end = ConjugateGradientEnd::converged;
 };
 
-/// Solves A x = b by conjugate gradients, preconditioned with the factor that `factor` holds, of a
-/// positive definite matrix that is near A. A solve and a product with A an iteration.
-/// Precondition: factor.has_factor(), of as many rows as A.
+/// r ↦ M⁻¹ r of a symmetric positive definite matrix M that is near A.
+using Preconditioner = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
+/// Solves A x = b by preconditioned conjugate gradients. A product with A an iteration, and M⁻¹ r.
+ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
+                                              const Preconditioner& precondition,
+                                              const ConjugateGradientSettings& settings);
+
+/// The same, preconditioned with the factor that `factor` holds; what that is to obey stops the
+/// method too. Precondition: factor.has_factor(), of as many rows as A.
 ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
                                               Cholesky& factor,
                                               const ConjugateGradientSettings& settings);

@@ -71,15 +71,20 @@ class Prolongation {
     if (token.stop_requested()) return std::nullopt;
     insert_edges();
     if (token.stop_requested()) return std::nullopt;
-    if (is_valid()) return std::move(result_);
+    if (is_valid()) return with_holding();
     const int vertices = result_.mesh.vertex_count();
     mend();
     if (!is_valid()) return std::nullopt;
     result_.splits = result_.mesh.vertex_count() - vertices;
-    return std::move(result_);
+    return with_holding();
   }
 
  private:
+  ProlongedMesh with_holding() {
+    result_.holding = std::move(holding_);
+    return std::move(result_);
+  }
+
   int holding(int v) const { return holding_[static_cast<std::size_t>(v)]; }
 
   Points positions() const {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/energy/element.h"
 #include "core/multires/coarsen.h"
@@ -14,6 +15,9 @@ struct ProlongedMesh {
   MeshPair mesh;
   int flips = 0;   ///< of edges of the fine mesh
   int splits = 0;  ///< vertices that the fine mesh got
+  /// For every vertex the triangle of the coarse mesh that holds it at rest, −1 where no triangle
+  /// uses it.
+  std::vector<int> holding = {};
 };
 
 /// The fine mesh under the map of a coarse one over the same rest domain: every vertex goes where

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "core/energy/element.h"
 #include "core/linear/cholesky.h"
 #include "core/linear/conjugate_gradients.h"
+#include "core/linear/interpolation.h"
+#include "core/linear/multigrid.h"
 
 namespace foldless {
 
@@ -26,13 +30,22 @@ struct Hessian {
   HessianKind kind;
 };
 
-/// The factor of a Hessian + μI, and what is known of how far it serves later ones. Copyable.
+/// The Hessian of a coarse mesh, as conjugate gradients of a finer one need it.
+struct CoarseHessian {
+  HessianKind kind;
+  std::shared_ptr<CoarseGrid> grid;
+};
+
+/// The factor of a Hessian + μI, and what is known of how far it serves later ones; before there is
+/// one, the Hessian of a coarse mesh in its place. Copyable.
 class HessianFactor {
  public:
   /// Says that the matrix has another pattern from now on, that of a mesh of so many edges of which
   /// some changed. The fill-reducing ordering of a small matrix is kept until more than 2 % of the
   /// edges changed, when it begins to cost more than a new one.
   void outdate_pattern(int edges, int changed_edges);
+  /// Says that the mesh has other vertices from now on, or its handles are others.
+  void forget_mesh();
   /// Orders and analyses the pattern where that is due.
   void analyze(const SparseSymmetric& matrix);
   /// What may stop factorizations and iterations from now on.
@@ -56,19 +69,31 @@ class HessianFactor {
   void outdate() { is_exact_ = false; }
   /// Says that ∇²E changed too much for the factor to serve another step.
   void set_far() { is_near_ = false; }
-  /// Solves hessian x = b by conjugate gradients from this factor and guesses; nothing where it
-  /// is of another kind of Hessian or known to be too far from it, or turns out to be, or where it
-  /// was stopped.
+  /// Solves hessian x = b by conjugate gradients from this factor and guesses, or else, without
+  /// guesses, from the Hessian of the coarse mesh; nothing where they are of another kind of
+  /// Hessian or known to be too far from it, or turn out to be, or where it was stopped.
   std::optional<ConjugateGradientSolution> solve_later(const Hessian& hessian,
                                                        const Eigen::VectorXd& b, double least_gain,
                                                        std::span<const Eigen::VectorXd> guesses);
+  /// Takes the Hessian of a coarse mesh over the same domain, which may be none. It serves until
+  /// it does so badly, or the mesh is another one.
+  void set_coarse(std::optional<CoarseHessian> coarse) { coarse_ = std::move(coarse); }
+  /// `hessian`, as last assembled, for a finer mesh; nothing where there is neither a coarser mesh
+  /// that served it nor a factor.
+  std::optional<CoarseHessian> as_coarse(Interpolation to_finer, Hessian hessian) const;
   bool is_near(const HessianKind& kind) const {
     return is_near_ && cholesky_.has_factor() && kind == kind_;
   }
 
  private:
+  std::optional<ConjugateGradientSolution> solve_from_coarse(const Hessian& hessian,
+                                                             const Eigen::VectorXd& b,
+                                                             double least_gain);
+
   Cholesky cholesky_;
   HessianKind kind_;
+  std::optional<CoarseHessian> coarse_;
+  bool is_of_mesh_ = false;  ///< the factor, by its vertices
   bool is_analyzed_ = false;
   bool is_exact_ = false;
   bool is_near_ = false;  ///< to ∇²E, as far as is known

@@ -14,7 +14,7 @@ void NewtonSystem::rebuild(const MeshPair& mesh, const Constraints& constraints,
                            int changed_edges) {
   StageTimer timer(effort_->times.analyze);
   objective_ = Objective(mesh, constraints);
-  factor_.set_far();
+  factor_.forget_mesh();
   outdate_pattern(mesh, changed_edges);
 }
 
@@ -22,6 +22,11 @@ void NewtonSystem::follow_flips(const MeshPair& mesh, int flips) {
   StageTimer timer(effort_->times.analyze);
   objective_.follow_flips(mesh);
   outdate_pattern(mesh, flips);
+}
+
+Hessian NewtonSystem::take_hessian() {
+  has_pattern_ = false;
+  return std::move(hessian_);
 }
 
 void NewtonSystem::has_followed(Eigen::VectorXd following) {

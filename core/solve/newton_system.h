@@ -36,6 +36,8 @@ class NewtonSystem {
   const EnergyTerms& energy() const { return first_order_.energy; }
   const Eigen::VectorXd& gradient() const { return first_order_.gradient; }
   const Hessian& hessian() const { return hessian_; }
+  /// ∇²E as assembled last; the next time it is assembled anew.
+  Hessian take_hessian();
 
   /// Tell it when the vertices moved: HessianFactor::outdate().
   HessianFactor& factor() { return factor_; }

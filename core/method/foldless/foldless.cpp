@@ -11,6 +11,7 @@
 #include "core/method/foldless/approach.h"
 #include "core/method/foldless/approach_refined.h"
 #include "core/method/foldless/candidates.h"
+#include "core/method/foldless/coarse_hessian.h"
 #include "core/method/foldless/common_motion.h"
 #include "core/method/foldless/construct.h"
 #include "core/method/foldless/go_back.h"
@@ -89,6 +90,7 @@ Foldless::Foldless(const Problem& problem, const CoarseSettings& dense)
 
 void Foldless::set_targets(const Points& targets) {
   work_.constraints.targets = targets;
+  work_.system.factor().set_coarse({});  // it is of a map that the mesh leaves now
   verdict_.clear();
   begin(solve(Start::drag));
 }
@@ -197,6 +199,7 @@ Steps<> Foldless::coarse_to_fine() {
   effort().flips += fine->flips;
   effort().splits += fine->splits;
   work_.set_mesh(std::move(fine->mesh));
+  work_.system.factor().set_coarse(coarse_hessian(run.work_, fine->holding, work_));
 }
 
 // Where triangles are far longer than wide, as the linear map that makes the mesh round sees them.

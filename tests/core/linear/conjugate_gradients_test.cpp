@@ -137,6 +137,34 @@ TEST(ConjugateGradients, StopWhenTheFactorIsToObey) {
   EXPECT_EQ(stopped.iterations, 1);
 }
 
+TEST(ConjugateGradients, GiveUpWhereALaterIterationGainsTooMuch) {
+  const SparseSymmetric m = random_matrix(60, 5);
+  Cholesky factor = factor_of(changed(m, 200));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  const auto end = [&](double largest_gain) {
+    const ConjugateGradientSettings settings{
+        .least_gain = 1e-3, .most_iterations = 50, .largest_gain = largest_gain};
+    return conjugate_gradients(m, b, factor, settings);
+  };
+  EXPECT_EQ(end(1).end, ConjugateGradientEnd::converged);
+  EXPECT_EQ(end(1e-3).end, ConjugateGradientEnd::slow);
+  EXPECT_EQ(end(1e-3).iterations, 2) << "the first gains all that there is yet";
+}
+
+TEST(ConjugateGradients, TakeAnyPreconditionerAndStopAsTheSettingsSay) {
+  const SparseSymmetric m = random_matrix(60, 5);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  const Preconditioner a_thirtieth = [](const Eigen::VectorXd& r) { return r / 30; };
+  std::stop_source stop;
+  ConjugateGradientSettings settings{.least_gain = kLeastGain, .most_iterations = 100};
+  settings.token = stop.get_token();
+  const ConjugateGradientSolution found = conjugate_gradients(m, b, a_thirtieth, settings);
+  EXPECT_EQ(found.end, ConjugateGradientEnd::converged);
+  EXPECT_LT((test::dense(m) * found.x - b).norm(), 1e-6 * b.norm());
+  stop.request_stop();
+  EXPECT_EQ(conjugate_gradients(m, b, a_thirtieth, settings).end, ConjugateGradientEnd::stopped);
+}
+
 // Both sizes: a few supernodes and many.
 class ConjugateGradientsTest : public testing::TestWithParam<int> {};
 

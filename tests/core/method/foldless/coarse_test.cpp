@@ -44,6 +44,25 @@ TEST(Coarse, ABendEndsLikeTheOneOfTheFineMeshWithFewFactorizationsOfIt) {
               0.02 * of_fine.back().distortion_energy);
 }
 
+TEST(Coarse, AFineMeshOfAMildBendIsSettledWithoutAFactorizationOfIt) {
+  Problem problem = bent_grid(120, 30);
+  for (Handle& handle : problem.handles) {
+    const Vec2 rest = problem.mesh.rest().col(handle.vertex);
+    handle.target = rest + 0.25 * (handle.target - rest);
+  }
+  problem.handles.push_back(test::held(problem.mesh.rest(), 15 * 121 + 60));
+  problem.handles.back().kind = HandleKind::soft;
+  Foldless method(problem, kSmall), fine(problem, kNever);
+  const std::vector<Iteration> course = run_validly(method), of_fine = run_validly(fine);
+  const int coarse_steps = steps(course, Phase::coarse);
+  ASSERT_GT(steps(course, Phase::settle), 0);
+  EXPECT_EQ(course.back().factorizations,
+            course[static_cast<std::size_t>(coarse_steps) - 1].factorizations);
+  EXPECT_NEAR(course.back().distortion_energy, of_fine.back().distortion_energy,
+              0.01 * of_fine.back().distortion_energy);
+  expect_on_target(method, problem);
+}
+
 TEST(Coarse, ATwistWithAHeldBoundaryEndsOnTarget) {
   const Problem problem = test::turned_disk(
       {.disk = {.rings = 15, .boundary_vertices = 90, .vertices = 750, .radius = 0.35},

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/chebyshev.h"
+
+#include <cstddef>
+
+#include "core/threads/team.h"
+
+namespace foldless {
+namespace {
+
+/// Nodes that a thread smooths together.
+constexpr std::ptrdiff_t kSmoothedTogether = 1024;
+
+// Chebyshev's polynomial on [0.6, 2.4], whose middle is 1.5 and half length 0.9.
+constexpr double kMiddle = 1.5, kHalfLength = 0.9;
+constexpr double kRatio = kMiddle / kHalfLength;
+constexpr double kFirstRho = 1 / kRatio;
+constexpr double kSecondRho = 1 / (2 * kRatio - kFirstRho);
+constexpr double kFirst = 1 / kMiddle;
+constexpr double kKept = kSecondRho * kFirstRho, kAdded = 2 * kSecondRho / kHalfLength;
+
+}  // namespace
+
+ChebyshevSmoother::ChebyshevSmoother(const SparseSymmetric& A)
+    : A_(A), inverses_(static_cast<std::size_t>(A.nodes)) {
+  for (int node = 0; node < A.nodes; ++node) {
+    const BlockPlace place = find_block(A, node, node);
+    const double* first = &A.value[static_cast<std::size_t>(place.first_column)];
+    const double a = first[0], b = first[1],
+                 c = A.value[static_cast<std::size_t>(place.second_column)];
+    const double determinant = a * c - b * b;
+    if (!(a > 0 && determinant > 0)) is_definite_ = false;
+    inverses_[static_cast<std::size_t>(node)] = {c / determinant, -b / determinant,
+                                                 a / determinant};
+  }
+}
+
+Eigen::VectorXd ChebyshevSmoother::smoothed(const Eigen::VectorXd& r) const {
+  Eigen::VectorXd step(r.size()), image(r.size());
+  each_in_ranges(A_.nodes, kSmoothedTogether, [&](std::ptrdiff_t i) {
+    step.segment<2>(2 * i) =
+        kFirst * (inverses_[static_cast<std::size_t>(i)] * r.segment<2>(2 * i));
+  });
+  multiply(A_, step, image);
+  each_in_ranges(A_.nodes, kSmoothedTogether, [&](std::ptrdiff_t i) {
+    const Eigen::Vector2d left = r.segment<2>(2 * i) - image.segment<2>(2 * i);
+    step.segment<2>(2 * i) = (1 + kKept) * step.segment<2>(2 * i) +
+                             kAdded * (inverses_[static_cast<std::size_t>(i)] * left);
+  });
+  return step;
+}
+
+}  // namespace foldless

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A HessianFactor that has no factor, but the Hessian of a coarse mesh.
+#include "core/solve/hessian_factor.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "core/energy/densities.h"
+#include "tests/core/linear/elastic_grid.h"
+#include "tests/core/linear/random_values.h"
+
+namespace foldless {
+namespace {
+
+constexpr int kSize = 16;  ///< of the fine grid
+
+HessianKind kind() { return {.density = find_density("arap"), .beta = 2, .held = true}; }
+
+Hessian hessian(int n = kSize) { return {test::elastic_grid(n), kind()}; }
+
+/// With a factor of its own, as the system of the coarse mesh has one.
+HessianFactor factorized(const Hessian& of) {
+  HessianFactor factor;
+  factor.analyze(of.matrix);
+  EXPECT_TRUE(factor.factorize(of, 0, Precision::full));
+  return factor;
+}
+
+/// A system of the fine grid, over one coarse grid whose matrix is made softer by `softness` at
+/// every other node, of all unknowns by themselves.
+HessianFactor over_coarse(double softness = 0) {
+  Hessian coarse = hessian(kSize / 2);
+  if (softness != 0)
+    for (int i = 0; i < coarse.matrix.nodes; i += 2)
+      add_block(coarse.matrix, i, i, softness * Eigen::Matrix2d::Identity());
+  HessianFactor fine;
+  fine.set_coarse(
+      factorized(coarse).as_coarse(test::to_twice_as_fine(kSize / 2), std::move(coarse)));
+  return fine;
+}
+
+Eigen::VectorXd right_hand_side() { return test::random_values(hessian().matrix.size(), 5); }
+
+std::optional<ConjugateGradientSolution> solution(HessianFactor& factor, const Hessian& of) {
+  return factor.solve_later(of, right_hand_side(), 1e-2, {});
+}
+
+TEST(HessianFactor, SolvesFromACoarseMeshWithoutAFactor) {
+  HessianFactor factor = over_coarse(), none;
+  const Hessian fine = hessian();
+  const auto found = solution(factor, fine);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->end, ConjugateGradientEnd::converged);
+  EXPECT_FALSE(solution(none, fine));
+  // The model's decrease is nearly that of Newton's step.
+  const Eigen::VectorXd exact = factorized(fine).solve(right_hand_side());
+  Eigen::VectorXd image;
+  multiply(fine.matrix, found->x, image);
+  const double decrease = right_hand_side().dot(found->x) - 0.5 * found->x.dot(image);
+  EXPECT_GT(decrease, 0.97 * 0.5 * right_hand_side().dot(exact));
+}
+
+TEST(HessianFactor, TheCoarseMeshServesNoHessianOfAnotherKind) {
+  HessianFactor factor = over_coarse();
+  Hessian other = hessian();
+  other.kind.beta = 3;
+  EXPECT_FALSE(solution(factor, other));
+  EXPECT_TRUE(solution(factor, hessian())) << "it is kept";
+}
+
+TEST(HessianFactor, SeesThatAHessianIsIndefinite) {
+  HessianFactor factor = over_coarse();
+  Hessian indefinite = hessian();
+  add_block(indefinite.matrix, 40, 40, -100 * Eigen::Matrix2d::Identity());
+  const auto found = solution(factor, indefinite);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->end, ConjugateGradientEnd::indefinite);
+  EXPECT_TRUE(solution(factor, hessian())) << "the coarse mesh is kept";
+}
+
+TEST(HessianFactor, ACoarseMeshThatServedBadlyIsForgotten) {
+  HessianFactor factor = over_coarse(1e5);
+  const Hessian fine = hessian();
+  EXPECT_FALSE(solution(factor, fine));
+  EXPECT_FALSE(factor.as_coarse(test::to_twice_as_fine(kSize), fine)) << "there is nothing";
+  factor.analyze(fine.matrix);
+  ASSERT_TRUE(factor.factorize(fine, 0, Precision::full));
+  EXPECT_TRUE(factor.as_coarse(test::to_twice_as_fine(kSize), fine));
+}
+
+TEST(HessianFactor, AFinerMeshIsSolvedOverTwoCoarseOnes) {
+  const HessianFactor middle = over_coarse();
+  HessianFactor finest;
+  finest.set_coarse(middle.as_coarse(test::to_twice_as_fine(kSize), hessian()));
+  const Hessian fine = hessian(2 * kSize);
+  EXPECT_TRUE(finest.solve_later(fine, test::random_values(fine.matrix.size(), 5), 1e-2, {}));
+  Hessian indefinite = hessian();
+  add_block(indefinite.matrix, 40, 40, -100 * Eigen::Matrix2d::Identity());
+  EXPECT_FALSE(middle.as_coarse(test::to_twice_as_fine(kSize), indefinite));
+}
+
+TEST(HessianFactor, OfAnotherMeshServesNeitherThatNorAFinerOne) {
+  HessianFactor factor = over_coarse(), own = factorized(hessian());
+  factor.forget_mesh();
+  own.forget_mesh();
+  EXPECT_FALSE(solution(factor, hessian()));
+  EXPECT_FALSE(solution(own, hessian()));
+  EXPECT_FALSE(own.as_coarse(test::to_twice_as_fine(kSize), hessian()));
+}
+
+TEST(HessianFactor, StopsAndKeepsTheCoarseMesh) {
+  HessianFactor factor = over_coarse();
+  std::stop_source stop;
+  stop.request_stop();
+  factor.obey(stop.get_token());
+  EXPECT_FALSE(solution(factor, hessian()));
+  factor.obey({});
+  EXPECT_TRUE(solution(factor, hessian()));
+}
+
+}  // namespace
+}  // namespace foldless
