@@ -198,7 +198,10 @@ Steps<> Foldless::coarse_to_fine() {
   if (!fine) co_return;
   effort().flips += fine->flips;
   effort().splits += fine->splits;
-  work_.set_mesh(std::move(fine->mesh));
+  if (fine->splits == 0)
+    work_.set_flipped_mesh(std::move(fine->mesh), fine->flips);
+  else
+    work_.set_mesh(std::move(fine->mesh));
   work_.system.factor().set_coarse(coarse_hessian(run.work_, fine->holding, work_));
 }
 

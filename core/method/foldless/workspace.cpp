@@ -87,6 +87,11 @@ void Workspace::set_mesh(MeshPair other) {
   system.rebuild(mesh, constraints, mesh.edge_count());
 }
 
+void Workspace::set_flipped_mesh(MeshPair other, int flips) {
+  mesh = std::move(other);
+  system.follow_flips(mesh, flips);
+}
+
 Iteration Workspace::record(const VertexUpdate& update, const Energy& energy, Phase phase) {
   const Energy real = with_real_targets(energy);
   system.assemble_gradient(real, mesh.deformed());
