@@ -33,7 +33,7 @@ void HessianFactor::outdate_pattern(int edges, int changed_edges) {
   edges_ = edges;
   edges_changed_since_ordering_ += changed_edges;
   is_analyzed_ = false;
-  is_exact_ = false;
+  outdate();
 }
 
 void HessianFactor::forget_mesh() {
@@ -60,7 +60,8 @@ bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision preci
   kind_ = hessian.kind;
   is_near_ = cholesky_.factorize(hessian.matrix, mu, precision);
   is_of_mesh_ = is_near_;
-  is_exact_ = is_near_ && mu == 0 && precision == Precision::full;
+  is_own_ = is_near_ && mu == 0;
+  is_exact_ = is_own_ && precision == Precision::full;
   return is_near_;
 }
 
@@ -68,8 +69,10 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
     const Hessian& hessian, const Eigen::VectorXd& b, double least_gain,
     std::span<const Eigen::VectorXd> guesses) {
   if (!is_near(hessian.kind)) return solve_from_coarse(hessian, b, least_gain);
-  ConjugateGradientSolution solution = conjugate_gradients(
-      hessian.matrix, b, cholesky_, {least_gain, kMostLaggedIterations, guesses});
+  ConjugateGradientSettings settings{least_gain, kMostLaggedIterations};
+  settings.is_of_own_factor = is_own_;
+  if (!is_own_) settings.guesses = guesses;  // they cost more than they bring there
+  ConjugateGradientSolution solution = conjugate_gradients(hessian.matrix, b, cholesky_, settings);
   if (solution.end == ConjugateGradientEnd::stopped) return std::nullopt;
   is_near_ = solution.iterations < kIterationsOfAFarFactor;
   if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A HessianFactor that has no factor, but the Hessian of a coarse mesh.
 #include "core/solve/hessian_factor.h"
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "core/energy/densities.h"
 #include "tests/core/linear/elastic_grid.h"
@@ -44,6 +45,23 @@ Eigen::VectorXd right_hand_side() { return test::random_values(hessian().matrix.
 
 std::optional<ConjugateGradientSolution> solution(HessianFactor& factor, const Hessian& of) {
   return factor.solve_later(of, right_hand_side(), 1e-2, {});
+}
+
+TEST(HessianFactor, GuessesAreForTheFactorOfAnEarlierHessian) {
+  const Hessian own = hessian();
+  const std::vector<Eigen::VectorXd> guesses{test::random_values(own.matrix.size(), 6)};
+  for (const Precision precision : {Precision::full, Precision::single}) {
+    HessianFactor factor;
+    factor.analyze(own.matrix);
+    ASSERT_TRUE(factor.factorize(own, 0, precision));
+    const auto solve = [&](std::span<const Eigen::VectorXd> from) {
+      return factor.solve_later(own, right_hand_side(), 1e-2, from);
+    };
+    EXPECT_EQ(solve(guesses)->x, solve({})->x) << "from the Hessian's own factor";
+    EXPECT_EQ(solve(guesses)->iterations, 0);
+    factor.outdate();
+    EXPECT_NE(solve(guesses)->x, solve({})->x);
+  }
 }
 
 TEST(HessianFactor, SolvesFromACoarseMeshWithoutAFactor) {
