@@ -22,7 +22,7 @@ constexpr double kKept = kSecondRho * kFirstRho, kAdded = 2 * kSecondRho / kHalf
 }  // namespace
 
 ChebyshevSmoother::ChebyshevSmoother(const SparseSymmetric& A)
-    : A_(A), inverses_(static_cast<std::size_t>(A.nodes)) {
+    : matrix_(A), inverses_(static_cast<std::size_t>(A.nodes)) {
   for (int node = 0; node < A.nodes; ++node) {
     const BlockPlace place = find_block(A, node, node);
     const double* first = &A.value[static_cast<std::size_t>(place.first_column)];
@@ -37,12 +37,12 @@ ChebyshevSmoother::ChebyshevSmoother(const SparseSymmetric& A)
 
 Eigen::VectorXd ChebyshevSmoother::smoothed(const Eigen::VectorXd& r) const {
   Eigen::VectorXd step(r.size()), image(r.size());
-  each_in_ranges(A_.nodes, kSmoothedTogether, [&](std::ptrdiff_t i) {
+  each_in_ranges(matrix_.nodes, kSmoothedTogether, [&](std::ptrdiff_t i) {
     step.segment<2>(2 * i) =
         kFirst * (inverses_[static_cast<std::size_t>(i)] * r.segment<2>(2 * i));
   });
-  multiply(A_, step, image);
-  each_in_ranges(A_.nodes, kSmoothedTogether, [&](std::ptrdiff_t i) {
+  multiply(matrix_, step, image);
+  each_in_ranges(matrix_.nodes, kSmoothedTogether, [&](std::ptrdiff_t i) {
     const Eigen::Vector2d left = r.segment<2>(2 * i) - image.segment<2>(2 * i);
     step.segment<2>(2 * i) = (1 + kKept) * step.segment<2>(2 * i) +
                              kAdded * (inverses_[static_cast<std::size_t>(i)] * left);

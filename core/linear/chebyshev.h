@@ -31,7 +31,7 @@ class ChebyshevSmoother {
     }
   };
 
-  const SparseSymmetric& A_;
+  const SparseSymmetric& matrix_;
   std::vector<Inverse> inverses_;  ///< of the nodes
   bool is_definite_ = true;
 };

@@ -7,9 +7,9 @@ namespace foldless {
 
 Eigen::VectorXd VCycle::operator()(const Eigen::VectorXd& r) {
   Eigen::VectorXd x = smoother_.smoothed(r), image(r.size());
-  multiply(A_, x, image);
+  multiply(matrix_, x, image);
   coarser_.correct(r - image, x);
-  multiply(A_, x, image);
+  multiply(matrix_, x, image);
   x += smoother_.smoothed(r - image);
   return x;
 }

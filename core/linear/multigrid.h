@@ -18,7 +18,8 @@ class CoarseGrid;
 class VCycle {
  public:
   /// `A` and `coarser` outlive it; `coarser` is of as many fine nodes as A has.
-  VCycle(const SparseSymmetric& A, CoarseGrid& coarser) : A_(A), smoother_(A), coarser_(coarser) {}
+  VCycle(const SparseSymmetric& A, CoarseGrid& coarser)
+      : matrix_(A), smoother_(A), coarser_(coarser) {}
 
   /// False where A is seen not to be positive definite.
   bool is_definite() const { return smoother_.is_definite(); }
@@ -26,7 +27,7 @@ class VCycle {
   Eigen::VectorXd operator()(const Eigen::VectorXd& r);
 
  private:
-  const SparseSymmetric& A_;
+  const SparseSymmetric& matrix_;
   ChebyshevSmoother smoother_;
   CoarseGrid& coarser_;
 };

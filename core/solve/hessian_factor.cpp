@@ -57,6 +57,7 @@ bool HessianFactor::is_single_worth_while(const Hessian& hessian) const {
 }
 
 bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision precision) {
+  coarse_.reset();
   kind_ = hessian.kind;
   is_near_ = cholesky_.factorize(hessian.matrix, mu, precision);
   is_of_mesh_ = is_near_;

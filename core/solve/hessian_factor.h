@@ -76,7 +76,7 @@ class HessianFactor {
                                                        const Eigen::VectorXd& b, double least_gain,
                                                        std::span<const Eigen::VectorXd> guesses);
   /// Takes the Hessian of a coarse mesh over the same domain, which may be none. It serves until
-  /// it does so badly, or the mesh is another one.
+  /// it does so badly, there is a factor, or the mesh is another one.
   void set_coarse(std::optional<CoarseHessian> coarse) { coarse_ = std::move(coarse); }
   /// `hessian`, as last assembled, for a finer mesh; nothing where there is neither a coarser mesh
   /// that served it nor a factor.

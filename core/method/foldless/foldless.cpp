@@ -90,7 +90,6 @@ Foldless::Foldless(const Problem& problem, const CoarseSettings& dense)
 
 void Foldless::set_targets(const Points& targets) {
   work_.constraints.targets = targets;
-  work_.system.factor().set_coarse({});  // it is of a map that the mesh leaves now
   verdict_.clear();
   begin(solve(Start::drag));
 }

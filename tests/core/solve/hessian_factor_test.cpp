@@ -118,6 +118,15 @@ TEST(HessianFactor, AFinerMeshIsSolvedOverTwoCoarseOnes) {
   EXPECT_FALSE(middle.as_coarse(test::to_twice_as_fine(kSize), indefinite));
 }
 
+TEST(HessianFactor, ForgetsTheCoarseMeshWhenItHasAFactor) {
+  HessianFactor factor = over_coarse();
+  const Hessian fine = hessian();
+  factor.analyze(fine.matrix);
+  ASSERT_TRUE(factor.factorize(fine, 0, Precision::full));
+  factor.set_far();
+  EXPECT_FALSE(solution(factor, fine));
+}
+
 TEST(HessianFactor, OfAnotherMeshServesNeitherThatNorAFinerOne) {
   HessianFactor factor = over_coarse(), own = factorized(hessian());
   factor.forget_mesh();
