@@ -43,7 +43,6 @@ class CoarseGrid {
   CoarseGrid(const CoarseGrid&) = delete;
   CoarseGrid& operator=(const CoarseGrid&) = delete;
 
-  const Interpolation& to_finer() const { return to_finer_; }
   /// False where its matrix is seen not to be positive definite: it does not serve.
   bool is_definite() const { return !cycle_ || cycle_->is_definite(); }
   /// About P C⁻¹ Pᵀ r, added to x, of the finer mesh. Precondition: is_definite().
