@@ -45,17 +45,16 @@ Interpolation::Place place_in(const MeshPair& mesh, int triangle, const Vec2& p)
 }  // namespace coarse_hessians
 
 std::optional<CoarseHessian> coarse_hessian(Workspace& coarse, const std::vector<int>& holding,
-                                            const Workspace& fine) {
+                                            const MeshPair& fine) {
   using namespace coarse_hessians;
-  const std::vector<bool> is_coarse_held = held_vertices(coarse);
-  const std::vector<bool> is_held = held_vertices(fine);
+  const std::vector<bool> is_held = held_vertices(coarse);
   std::vector<Interpolation::Place> places(holding.size());
   each_in_ranges(std::ssize(holding), kPlacedTogether, [&](std::ptrdiff_t v) {
     const auto i = static_cast<std::size_t>(v);
-    if (holding[i] < 0 || is_held[i]) return;
-    places[i] = place_in(coarse.mesh, holding[i], fine.mesh.rest().col(v));
+    if (holding[i] < 0) return;
+    places[i] = place_in(coarse.mesh, holding[i], fine.rest().col(v));
     for (std::size_t k = 0; k < 3; ++k)
-      if (is_coarse_held[static_cast<std::size_t>(places[i].nodes[k])]) places[i].weights[k] = 0;
+      if (is_held[static_cast<std::size_t>(places[i].nodes[k])]) places[i].weights[k] = 0;
   });
   return coarse.system.factor().as_coarse(
       Interpolation(std::move(places), coarse.mesh.vertex_count()), coarse.system.take_hessian());

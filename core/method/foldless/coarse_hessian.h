@@ -11,9 +11,9 @@ namespace foldless {
 
 /// What preconditions the first steps on a fine mesh that took over the map of a coarse one: ∇²E of
 /// that as it was assembled last, which is taken from it. A vertex of the fine mesh moves as the
-/// point of the coarse one where it is at rest, in triangle `holding`, −1 for none; where hard
-/// handles are nothing moves. Nothing where the coarse mesh does not serve.
+/// point of the coarse one where it is at rest, in triangle `holding`, −1 for none; hard handles,
+/// which are vertices of both, do not move. Nothing where the coarse mesh does not serve.
 std::optional<CoarseHessian> coarse_hessian(Workspace& coarse, const std::vector<int>& holding,
-                                            const Workspace& fine);
+                                            const MeshPair& fine);
 
 }  // namespace foldless

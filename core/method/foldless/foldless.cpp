@@ -201,7 +201,7 @@ Steps<> Foldless::coarse_to_fine() {
     work_.set_flipped_mesh(std::move(fine->mesh), fine->flips);
   else
     work_.set_mesh(std::move(fine->mesh));
-  work_.system.factor().set_coarse(coarse_hessian(run.work_, fine->holding, work_));
+  work_.system.factor().set_coarse(coarse_hessian(run.work_, fine->holding, work_.mesh));
 }
 
 // Where triangles are far longer than wide, as the linear map that makes the mesh round sees them.
