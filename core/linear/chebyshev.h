@@ -10,8 +10,8 @@ namespace foldless {
 
 /// A smoother of A x = r: two steps of Chebyshev's semi-iteration from 0 with the diagonal blocks D
 /// of A, of 2 × 2, after [ABHT03]. What it leaves is p(D⁻¹A) times the error, p least on the upper
-/// three quarters of [0, 2.4] and |p| < 1 on (0, 3), where the eigenvalues of D⁻¹A are: A is a sum
-/// of positive semidefinite blocks of three nodes, and (a + b + c)² ≤ 3 (a² + b² + c²).
+/// three quarters of [0, 2.4] and |p| < 1 on (0, 3), where the eigenvalues of D⁻¹A are if A is a
+/// sum of positive semidefinite blocks of three nodes, as (a + b + c)² ≤ 3 (a² + b² + c²).
 class ChebyshevSmoother {
  public:
   /// `A` outlives it.

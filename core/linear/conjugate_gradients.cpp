@@ -98,6 +98,7 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
     direction = next + next_norm / norm * direction;
     norm = next_norm;
   }
+  if (norm < 0) solution.end = ConjugateGradientEnd::indefinite;
   return solution;
 }
 

@@ -35,7 +35,7 @@ enum class ConjugateGradientEnd {
   converged,
   slow,       ///< gave up, also where the preconditioner gave no numbers
   stopped,    ///< as the settings say, or what the factor is to obey
-  indefinite  ///< met a direction p with pᵀAp ≤ 0
+  indefinite  ///< met a direction p with pᵀAp ≤ 0, or a residual r with rᵀM⁻¹r < 0
 };
 
 /// An approximate solution of A x = b.

@@ -62,7 +62,6 @@ bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision preci
   is_near_ = cholesky_.factorize(hessian.matrix, mu, precision);
   is_of_mesh_ = is_near_;
   is_own_ = is_near_ && mu == 0;
-  is_exact_ = is_own_ && precision == Precision::full;
   return is_near_;
 }
 

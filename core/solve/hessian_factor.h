@@ -64,9 +64,11 @@ class HessianFactor {
   }
 
   /// True when it is the factor of ∇²E itself as assembled last, in full precision.
-  bool is_exact() const { return is_exact_ && cholesky_.has_factor(); }
+  bool is_exact() const {
+    return is_own_ && cholesky_.has_factor() && cholesky_.precision() == Precision::full;
+  }
   /// Says that another ∇²E was assembled, or that the vertices moved.
-  void outdate() { is_exact_ = is_own_ = false; }
+  void outdate() { is_own_ = false; }
   /// Says that ∇²E changed too much for the factor to serve another step.
   void set_far() { is_near_ = false; }
   /// Solves hessian x = b by conjugate gradients from this factor and guesses, or else, without
@@ -95,7 +97,6 @@ class HessianFactor {
   std::optional<CoarseHessian> coarse_;
   bool is_of_mesh_ = false;  ///< the factor, by its vertices
   bool is_analyzed_ = false;
-  bool is_exact_ = false;
   bool is_own_ = false;   ///< of ∇²E itself, in any precision
   bool is_near_ = false;  ///< to ∇²E, as far as is known
   bool is_single_too_rough_ = false;

@@ -169,6 +169,16 @@ TEST(ConjugateGradients, EndAfterAnIterationOfLengthOneFromTheOwnFactor) {
   EXPECT_EQ(solve(other, true).x, solve(other, false).x) << "the length is not 1";
 }
 
+TEST(ConjugateGradients, SayThatAPreconditionerIsNotPositiveDefinite) {
+  const SparseSymmetric m = random_matrix(20, 5);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  const Preconditioner negative = [](const Eigen::VectorXd& r) { return -r; };
+  const ConjugateGradientSettings settings{.least_gain = 1e-2, .most_iterations = 8};
+  EXPECT_EQ(conjugate_gradients(m, b, negative, settings).end, ConjugateGradientEnd::indefinite);
+  EXPECT_EQ(conjugate_gradients(m, 0 * b, negative, settings).end, ConjugateGradientEnd::converged)
+      << "there is nothing to solve";
+}
+
 TEST(ConjugateGradients, TakeAnyPreconditionerAndStopAsTheSettingsSay) {
   const SparseSymmetric m = random_matrix(60, 5);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
