@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/linear/local_solve.h"
+
 namespace foldless {
 namespace {
 
@@ -59,10 +61,18 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
                                               const Preconditioner& precondition,
                                               const ConjugateGradientSettings& settings) {
   ConjugateGradientSolution solution;
-  auto [x, residual, decrease] = best_guess(A, b, settings.guesses);
-  solution.x = std::move(x);
+  Progress progress = best_guess(A, b, settings.guesses);
+  solution.x = std::move(progress.x);
+  Eigen::VectorXd& residual = progress.residual;
+  double& decrease = progress.decrease;
+  if (settings.local) decrease += settings.local->correct(solution.x, residual);
+  const auto preconditioned_residual = [&] {
+    Eigen::VectorXd z = precondition(residual);
+    if (settings.local) settings.local->make_conjugate(z);
+    return z;
+  };
   Eigen::VectorXd image(b.size());
-  Eigen::VectorXd direction = precondition(residual);
+  Eigen::VectorXd direction = preconditioned_residual();
   double norm = residual.dot(direction);
   while (!(norm <= 0)) {
     multiply(A, direction, image);
@@ -93,7 +103,7 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
       return solution;
     }
     residual -= length * image;
-    const Eigen::VectorXd next = precondition(residual);
+    const Eigen::VectorXd next = preconditioned_residual();
     const double next_norm = residual.dot(next);
     direction = next + next_norm / norm * direction;
     norm = next_norm;

@@ -12,6 +12,8 @@
 
 namespace foldless {
 
+class LocalSolve;
+
 /// When conjugate_gradients() ends.
 struct ConjugateGradientSettings {
   double least_gain = 0;  ///< an iteration that lowers ½xᵀAx − bᵀx by less than this part of what
@@ -27,6 +29,8 @@ struct ConjugateGradientSettings {
   /// M = A but for rounding, so that an iteration of about length 1 leaves little: where the square
   /// of what is missing is far below `least_gain`, it is the last.
   bool is_of_own_factor = false;
+  /// Of some nodes of A, where the residual is made zero in the beginning and stays so.
+  LocalSolve* local = nullptr;
   std::stop_token token = {};  ///< once it is set the method stops
 };
 

@@ -27,6 +27,20 @@ constexpr int kIterationsOfAFarFactor = 5;
 constexpr int kMostCoarseIterations = 8;
 constexpr double kLargestGainOfCoarse = 0.5;
 
+/// A node whose stiffness changed by this factor is solved for by itself, where they are not more
+/// than this part of all nodes.
+constexpr double kChangedStiffness = 1.1;
+constexpr double kMostChangedNodes = 0.05;
+
+/// Of every node the trace of its block.
+std::vector<double> stiffness_of_nodes(const SparseSymmetric& A) {
+  std::vector<double> trace(static_cast<std::size_t>(A.nodes));
+  for (std::size_t node = 0; node < trace.size(); ++node)
+    trace[node] = A.value[static_cast<std::size_t>(A.column_start[2 * node])] +
+                  A.value[static_cast<std::size_t>(A.column_start[2 * node + 1])];
+  return trace;
+}
+
 }  // namespace
 
 void HessianFactor::outdate_pattern(int edges, int changed_edges) {
@@ -61,6 +75,7 @@ bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision preci
   kind_ = hessian.kind;
   is_near_ = cholesky_.factorize(hessian.matrix, mu, precision);
   is_of_mesh_ = is_near_;
+  stiffness_ = stiffness_of_nodes(hessian.matrix);
   is_own_ = is_near_ && mu == 0;
   return is_near_;
 }
@@ -71,12 +86,37 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
   if (!is_near(hessian.kind)) return solve_from_coarse(hessian, b, least_gain);
   ConjugateGradientSettings settings{least_gain, kMostLaggedIterations};
   settings.is_of_own_factor = is_own_;
-  if (!is_own_) settings.guesses = guesses;  // they cost more than they bring there
+  std::optional<LocalSolve> local;
+  if (!is_own_) {
+    settings.guesses = guesses;  // they cost more than they bring where the factor is its own
+    local = solve_of_changed_nodes(hessian.matrix);
+  }
+  if (local) {
+    if (!local->is_definite())
+      return ConjugateGradientSolution{{}, 0, ConjugateGradientEnd::indefinite};
+    settings.local = &*local;
+  }
   ConjugateGradientSolution solution = conjugate_gradients(hessian.matrix, b, cholesky_, settings);
   if (solution.end == ConjugateGradientEnd::stopped) return std::nullopt;
   is_near_ = solution.iterations < kIterationsOfAFarFactor;
   if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;
   return solution;
+}
+
+/// Of the nodes that became stiffer or softer than they were in the matrix of the factor: a few
+/// triangles that turn about, are nearly crushed or came by flips would cost most of the
+/// iterations.
+std::optional<LocalSolve> HessianFactor::solve_of_changed_nodes(
+    const SparseSymmetric& matrix) const {
+  const std::vector<double> stiffness = stiffness_of_nodes(matrix);
+  std::vector<int> nodes;
+  for (std::size_t node = 0; node < stiffness.size(); ++node)
+    if (stiffness[node] > kChangedStiffness * stiffness_[node] ||
+        stiffness_[node] > kChangedStiffness * stiffness[node])
+      nodes.push_back(static_cast<int>(node));
+  if (nodes.empty() || static_cast<double>(nodes.size()) > kMostChangedNodes * matrix.nodes)
+    return std::nullopt;
+  return LocalSolve(matrix, nodes);
 }
 
 std::optional<ConjugateGradientSolution> HessianFactor::solve_from_coarse(const Hessian& hessian,

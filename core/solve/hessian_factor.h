@@ -6,11 +6,13 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "core/energy/element.h"
 #include "core/linear/cholesky.h"
 #include "core/linear/conjugate_gradients.h"
 #include "core/linear/interpolation.h"
+#include "core/linear/local_solve.h"
 #include "core/linear/multigrid.h"
 
 namespace foldless {
@@ -88,11 +90,13 @@ class HessianFactor {
   }
 
  private:
+  std::optional<LocalSolve> solve_of_changed_nodes(const SparseSymmetric& matrix) const;
   std::optional<ConjugateGradientSolution> solve_from_coarse(const Hessian& hessian,
                                                              const Eigen::VectorXd& b,
                                                              double least_gain);
 
   Cholesky cholesky_;
+  std::vector<double> stiffness_;  ///< of the matrix of the factor, see stiffness_of_nodes()
   HessianKind kind_;
   std::optional<CoarseHessian> coarse_;
   bool is_of_mesh_ = false;  ///< the factor, by its vertices

@@ -64,6 +64,71 @@ TEST(HessianFactor, GuessesAreForTheFactorOfAnEarlierHessian) {
   }
 }
 
+/// The Hessian where `count` nodes, from 40 on, have `times` the stiffness, the trace of their
+/// block.
+Hessian changed_hessian(int count, double times) {
+  Hessian changed = hessian();
+  SparseSymmetric& A = changed.matrix;
+  for (int node = 40; node < 40 + count; ++node) {
+    const auto column = 2 * static_cast<std::size_t>(node);
+    const double trace = A.value[static_cast<std::size_t>(A.column_start[column])] +
+                         A.value[static_cast<std::size_t>(A.column_start[column + 1])];
+    add_block(A, node, node, (times - 1) * trace / 2 * Eigen::Matrix2d::Identity());
+  }
+  return changed;
+}
+
+/// Of an earlier Hessian's factor.
+HessianFactor earlier_factor() {
+  HessianFactor factor = factorized(hessian());
+  factor.outdate();
+  return factor;
+}
+
+/// What comes of the iterations with the factor of an earlier Hessian alone.
+ConjugateGradientSolution plain_solution(const Hessian& earlier, const Hessian& of) {
+  Cholesky factor;
+  factor.analyze(earlier.matrix);
+  EXPECT_TRUE(factor.factorize(earlier.matrix));
+  return conjugate_gradients(of.matrix, right_hand_side(), factor, {1e-2, 100});
+}
+
+TEST(HessianFactor, SolvesForAFewNodesThatBecameStifferByThemselves) {
+  HessianFactor factor = earlier_factor();
+  const Hessian stiffer = changed_hessian(10, 1000);
+  const auto found = solution(factor, stiffer);
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->iterations, plain_solution(hessian(), stiffer).iterations);
+}
+
+TEST(HessianFactor, SolvesForNodesByThemselvesWhereTheyAreFew) {
+  constexpr int kMost = 14;  // a twentieth of 289
+  for (const auto& [count, is_plain] : {std::pair(kMost, false), std::pair(kMost + 1, true)}) {
+    HessianFactor factor = earlier_factor();
+    const Hessian changed = changed_hessian(count, 1.5);
+    const auto found = solution(factor, changed);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->x == plain_solution(hessian(), changed).x, is_plain);
+  }
+}
+
+TEST(HessianFactor, SolvesForNodesByThemselvesWhoseStiffnessChangedEnough) {
+  for (const auto& [times, is_plain] : {std::pair(1.05, true), std::pair(1.15, false),
+                                        std::pair(1 / 1.05, true), std::pair(1 / 1.15, false)}) {
+    HessianFactor factor = earlier_factor();
+    const Hessian changed = changed_hessian(3, times);
+    EXPECT_EQ(solution(factor, changed)->x == plain_solution(hessian(), changed).x, is_plain);
+  }
+}
+
+TEST(HessianFactor, SeesThatAFewNodesMakeAHessianIndefinite) {
+  HessianFactor factor = earlier_factor();
+  const auto found = solution(factor, changed_hessian(3, -10));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->end, ConjugateGradientEnd::indefinite);
+  EXPECT_TRUE(solution(factor, hessian())) << "the factor is kept";
+}
+
 TEST(HessianFactor, SolvesFromACoarseMeshWithoutAFactor) {
   HessianFactor factor = over_coarse(), none;
   const Hessian fine = hessian();

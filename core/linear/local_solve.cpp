@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/local_solve.h"
+
+#include <utility>
+
+namespace foldless {
+namespace {
+
+/// The columns that begin at two places, from there on.
+Eigen::Matrix2d block_at(const SparseSymmetric& A, int first_column, int second_column) {
+  const double* first = &A.value[static_cast<std::size_t>(first_column)];
+  const double* second = &A.value[static_cast<std::size_t>(second_column)];
+  return Eigen::Matrix2d{{first[0], second[0]}, {first[1], second[1]}};
+}
+
+Eigen::Matrix2d diagonal_block(const SparseSymmetric& A, int node) {
+  const auto column = 2 * static_cast<std::size_t>(node);
+  const double below = A.value[static_cast<std::size_t>(A.column_start[column]) + 1];
+  return Eigen::Matrix2d{{A.value[static_cast<std::size_t>(A.column_start[column])], below},
+                         {below, A.value[static_cast<std::size_t>(A.column_start[column + 1])]}};
+}
+
+}  // namespace
+
+LocalSolve::LocalSolve(const SparseSymmetric& A, const std::vector<int>& nodes) : nodes_(nodes) {
+  std::vector<int> place(static_cast<std::size_t>(A.nodes), -1);  // in S
+  for (std::size_t s = 0; s < nodes.size(); ++s) {
+    place[static_cast<std::size_t>(nodes[s])] = static_cast<int>(s);
+    rows_.push_back({static_cast<int>(s), nodes[s], diagonal_block(A, nodes[s])});
+  }
+  std::vector<std::pair<int, int>> edges;
+  for (int j = 0; j < A.nodes; ++j) {
+    const auto node = static_cast<std::size_t>(j);
+    int first = A.column_start[2 * node] + 2, second = A.column_start[2 * node + 1] + 1;
+    for (int k = A.graph_start[node]; k < A.graph_start[node + 1]; ++k, first += 2, second += 2) {
+      const int i = A.graph[static_cast<std::size_t>(k)];
+      const int at_i = place[static_cast<std::size_t>(i)], at_j = place[node];
+      if (at_i >= 0) rows_.push_back({at_i, j, block_at(A, first, second)});
+      if (at_j >= 0) rows_.push_back({at_j, i, block_at(A, first, second).transpose()});
+      if (at_i >= 0 && at_j >= 0) edges.emplace_back(at_i, at_j);
+    }
+  }
+  SparseSymmetric A_SS = sparse_symmetric(static_cast<int>(nodes.size()), edges);
+  for (const auto& [row, column, value] : rows_) {
+    const int at = place[static_cast<std::size_t>(column)];
+    if (at >= 0 && at <= row) add_block(A_SS, row, at, value);
+  }
+  factor_.analyze(A_SS);
+  factor_.factorize(A_SS);
+}
+
+double LocalSolve::correct(Eigen::VectorXd& x, Eigen::VectorXd& r) {
+  Eigen::VectorXd at_s(2 * static_cast<Eigen::Index>(nodes_.size()));
+  for (std::size_t s = 0; s < nodes_.size(); ++s)
+    at_s.segment<2>(2 * static_cast<Eigen::Index>(s)) = r.segment<2>(2 * nodes_[s]);
+  const Eigen::VectorXd y = factor_.solve(at_s);
+  for (std::size_t s = 0; s < nodes_.size(); ++s)
+    x.segment<2>(2 * nodes_[s]) += y.segment<2>(2 * static_cast<Eigen::Index>(s));
+  for (const auto& [row, column, value] : rows_)
+    r.segment<2>(2 * column) -= value.transpose() * y.segment<2>(2 * row);
+  return 0.5 * at_s.dot(y);
+}
+
+void LocalSolve::make_conjugate(Eigen::VectorXd& x) {
+  Eigen::VectorXd image = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes_.size()));
+  for (const auto& [row, column, value] : rows_)
+    image.segment<2>(2 * row) += value * x.segment<2>(2 * column);
+  const Eigen::VectorXd y = factor_.solve(image);
+  for (std::size_t s = 0; s < nodes_.size(); ++s)
+    x.segment<2>(2 * nodes_[s]) -= y.segment<2>(2 * static_cast<Eigen::Index>(s));
+}
+
+}  // namespace foldless
