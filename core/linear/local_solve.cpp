@@ -70,4 +70,20 @@ void LocalSolve::make_conjugate(Eigen::VectorXd& x) {
     x.segment<2>(2 * nodes_[s]) -= y.segment<2>(2 * static_cast<Eigen::Index>(s));
 }
 
+std::vector<int> with_neighbours(const SparseSymmetric& A, const std::vector<int>& nodes) {
+  std::vector<char> is_node(static_cast<std::size_t>(A.nodes), 0);
+  for (const int node : nodes) is_node[static_cast<std::size_t>(node)] = 1;
+  std::vector<char> is_near = is_node;
+  for (std::size_t j = 0; j < is_node.size(); ++j)
+    for (int k = A.graph_start[j]; k < A.graph_start[j + 1]; ++k) {
+      const auto i = static_cast<std::size_t>(A.graph[static_cast<std::size_t>(k)]);
+      is_near[i] |= is_node[j];
+      is_near[j] |= is_node[i];
+    }
+  std::vector<int> result;
+  for (int node = 0; node < A.nodes; ++node)
+    if (is_near[static_cast<std::size_t>(node)]) result.push_back(node);
+  return result;
+}
+
 }  // namespace foldless

@@ -41,4 +41,7 @@ class LocalSolve {
   Cholesky factor_;  ///< of A_SS
 };
 
+/// The nodes and those that share a block with them, ascending.
+std::vector<int> with_neighbours(const SparseSymmetric& A, const std::vector<int>& nodes);
+
 }  // namespace foldless

@@ -27,8 +27,8 @@ constexpr int kIterationsOfAFarFactor = 5;
 constexpr int kMostCoarseIterations = 8;
 constexpr double kLargestGainOfCoarse = 0.5;
 
-/// A node whose stiffness changed by this factor is solved for by itself, where they are not more
-/// than this part of all nodes.
+/// A node whose stiffness changed by this factor is solved for by itself, with its neighbours,
+/// where they are not more than this part of all nodes.
 constexpr double kChangedStiffness = 1.1;
 constexpr double kMostChangedNodes = 0.05;
 
@@ -103,9 +103,9 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
   return solution;
 }
 
-/// Of the nodes that became stiffer or softer than they were in the matrix of the factor: a few
-/// triangles that turn about, are nearly crushed or came by flips would cost most of the
-/// iterations.
+/// Of the nodes that became stiffer or softer than they were in the matrix of the factor, and their
+/// neighbours: a few triangles that turn about, are nearly crushed or came by flips would cost most
+/// of the iterations.
 std::optional<LocalSolve> HessianFactor::solve_of_changed_nodes(
     const SparseSymmetric& matrix) const {
   const std::vector<double> stiffness = stiffness_of_nodes(matrix);
@@ -116,7 +116,7 @@ std::optional<LocalSolve> HessianFactor::solve_of_changed_nodes(
       nodes.push_back(static_cast<int>(node));
   if (nodes.empty() || static_cast<double>(nodes.size()) > kMostChangedNodes * matrix.nodes)
     return std::nullopt;
-  return LocalSolve(matrix, nodes);
+  return LocalSolve(matrix, with_neighbours(matrix, nodes));
 }
 
 std::optional<ConjugateGradientSolution> HessianFactor::solve_from_coarse(const Hessian& hessian,

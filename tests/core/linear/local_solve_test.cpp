@@ -111,5 +111,16 @@ TEST(LocalSolve, IsOneAmongTheGuesses) {
   EXPECT_LT((found.x - exact).norm(), 1e-5 * exact.norm());
 }
 
+TEST(LocalSolve, TakesInTheNodesBesideThose) {
+  constexpr int kRow = kSquares + 1;
+  const SparseSymmetric A = test::elastic_grid(kSquares);
+  // Diagonals go from the right down to the left up.
+  EXPECT_EQ(with_neighbours(A, {0}), (std::vector{0, 1, kRow}));
+  const int middle = 5 * kRow + 5;
+  EXPECT_EQ(with_neighbours(A, {middle}),
+            (std::vector{middle - kRow, middle - kRow + 1, middle - 1, middle, middle + 1,
+                         middle + kRow - 1, middle + kRow}));
+}
+
 }  // namespace
 }  // namespace foldless
