@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 namespace foldless::test {
 
 /// Whether this is built with the address or the thread sanitizer, which take memory and time of
@@ -12,5 +14,11 @@ constexpr bool kIsSanitized = __has_feature(address_sanitizer) || __has_feature(
 #else
 constexpr bool kIsSanitized = false;
 #endif
+
+/// Of so many seeds those that are tried: under a sanitizer, which watches the same code run
+/// several times as slowly, a quarter.
+constexpr std::uint64_t seeds(std::uint64_t count) {
+  return kIsSanitized ? (count + 3) / 4 : count;
+}
 
 }  // namespace foldless::test

@@ -7,6 +7,7 @@
 
 #include "core/mesh/generate.h"
 #include "tests/support/glued_polygon.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/spiral.h"
 #include "tests/support/valid_pair.h"
 
@@ -44,7 +45,7 @@ void expect_held(const MeshPair& mesh, const std::vector<int>& loop, const MeshP
 }
 
 TEST(HeldDisk, GoesToAnyPolygonThatBoundsADisk) {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::seeds(300); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
     const MeshPair before = mesh_of(seed);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/support/pinned_disks.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/valid_pair.h"
 
 namespace foldless {
@@ -28,7 +29,7 @@ void expect_pinned(const MeshPair& mesh, const PinnedDisk& disk) {
 }
 
 TEST(PinnedDisk, SwapsTwoVerticesInsideOfAHeldBoundary) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::seeds(20); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const PinnedDisk disk = test::permuted_disk(seed, 2);
     const auto mesh = with_pinned_disk(disk.mesh, disk.pinned, disk.targets);
@@ -38,7 +39,7 @@ TEST(PinnedDisk, SwapsTwoVerticesInsideOfAHeldBoundary) {
 }
 
 TEST(PinnedDisk, BringsEightVerticesToEachOthersPlacesInAnyOrder) {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::seeds(10); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const PinnedDisk disk = test::permuted_disk(seed, 8);
     const auto mesh = with_pinned_disk(disk.mesh, disk.pinned, disk.targets);
@@ -70,7 +71,7 @@ TEST(PinnedDisk, OtherChoicesLeadToOtherMapsUntilNoneIsLeft) {
 }
 
 TEST(PinnedDisk, TheBoundaryMayGoToAnotherPolygon) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::seeds(20); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     PinnedDisk disk = test::permuted_disk(seed, 4);
     std::mt19937_64 random(seed);
