@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -99,6 +100,16 @@ TEST(HessianFactor, SolvesForAFewNodesThatBecameStifferByThemselves) {
   const auto found = solution(factor, stiffer);
   ASSERT_TRUE(found);
   EXPECT_LT(found->iterations, plain_solution(hessian(), stiffer).iterations);
+
+  std::vector<int> nodes(10);
+  std::iota(nodes.begin(), nodes.end(), 40);
+  LocalSolve with_those_beside(stiffer.matrix, with_neighbours(stiffer.matrix, nodes));
+  Cholesky earlier;
+  earlier.analyze(hessian().matrix);
+  ASSERT_TRUE(earlier.factorize(hessian().matrix));
+  const ConjugateGradientSettings settings{
+      .least_gain = 1e-2, .most_iterations = 8, .local = &with_those_beside};
+  EXPECT_EQ(found->x, conjugate_gradients(stiffer.matrix, right_hand_side(), earlier, settings).x);
 }
 
 TEST(HessianFactor, SolvesForNodesByThemselvesWhereTheyAreFew) {
