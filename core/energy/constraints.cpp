@@ -21,6 +21,13 @@ Constraints constraints_of(const std::vector<Handle>& handles) {
   return constraints;
 }
 
+std::vector<bool> have_hard_handles(const Constraints& constraints, int vertices) {
+  std::vector<bool> have(static_cast<std::size_t>(vertices), false);
+  for (std::size_t i = 0; i < constraints.vertices.size(); ++i)
+    if (!constraints.soft[i]) have[static_cast<std::size_t>(constraints.vertices[i])] = true;
+  return have;
+}
+
 double penalty(const Constraints& constraints, const Points& u) {
   double sum = 0;
   for (int i = 0; i < constraints.count(); ++i) {

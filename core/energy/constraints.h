@@ -26,6 +26,9 @@ struct Constraints {
 /// The constraints of a list of handles.
 Constraints constraints_of(const std::vector<Handle>& handles);
 
+/// Which of so many vertices have a hard handle.
+std::vector<bool> have_hard_handles(const Constraints& constraints, int vertices);
+
 /// Σ w_i‖u_i − p_i‖²: E_c of eq. 5 with the weights of soft handles; without held handles.
 /// [length²]
 double penalty(const Constraints& constraints, const Points& u);

@@ -58,17 +58,12 @@ Eigen::Matrix<double, 6, 6> block_of(const Mat2& curvature) {
 }  // namespace
 
 Objective::Objective(const MeshPair& mesh, const Constraints& constraints)
-    : has_hard_handle_(static_cast<std::size_t>(mesh.vertex_count()), false),
+    : has_hard_handle_(have_hard_handles(constraints, mesh.vertex_count())),
       triangles_(Triangles::Constant(3, mesh.face_count(), -1)),
       guard_(mesh) {
   const auto faces = static_cast<std::size_t>(mesh.face_count());
   reserve_large_pages(rest_, faces);
   rest_.resize(faces);
-  for (int i = 0; i < constraints.count(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    if (!constraints.soft[row])
-      has_hard_handle_[static_cast<std::size_t>(constraints.vertices[row])] = true;
-  }
   follow_flips(mesh);
 }
 

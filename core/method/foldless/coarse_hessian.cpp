@@ -16,17 +16,6 @@ constexpr std::ptrdiff_t kPlacedTogether = 4096;
 /// Rounding gives vertices that both meshes have a little of their neighbours.
 constexpr double kNoWeight = 1e-12;
 
-/// Which vertices have a hard handle.
-std::vector<bool> held_vertices(const Workspace& work) {
-  std::vector<bool> is_held(static_cast<std::size_t>(work.mesh.vertex_count()), false);
-  for (int i = 0; i < work.constraints.count(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    if (!work.constraints.soft[row])
-      is_held[static_cast<std::size_t>(work.constraints.vertices[row])] = true;
-  }
-  return is_held;
-}
-
 /// Barycentric coordinates of a point at rest.
 Interpolation::Place place_in(const MeshPair& mesh, int triangle, const Vec2& p) {
   const Eigen::Vector3i corners = mesh.triangles().col(triangle);
@@ -47,7 +36,8 @@ Interpolation::Place place_in(const MeshPair& mesh, int triangle, const Vec2& p)
 std::optional<CoarseHessian> coarse_hessian(Workspace& coarse, const std::vector<int>& holding,
                                             const MeshPair& fine) {
   using namespace coarse_hessians;
-  const std::vector<bool> is_held = held_vertices(coarse);
+  const std::vector<bool> is_held =
+      have_hard_handles(coarse.constraints, coarse.mesh.vertex_count());
   std::vector<Interpolation::Place> places(holding.size());
   each_in_ranges(std::ssize(holding), kPlacedTogether, [&](std::ptrdiff_t v) {
     const auto i = static_cast<std::size_t>(v);

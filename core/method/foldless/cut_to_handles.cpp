@@ -49,11 +49,7 @@ std::vector<int> vertices_of(const std::vector<int>& handles, const Constraints&
 /// With handles, the last ones, that hold what is free of the boundary.
 Constraints with_boundary_held(const MeshPair& rest, Constraints constraints) {
   const auto neighbours = boundary_neighbours(rest.triangles(), rest.vertex_count());
-  std::vector<bool> is_held(neighbours.size(), false);
-  for (int i = 0; i < constraints.count(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    if (!constraints.soft[row]) is_held[static_cast<std::size_t>(constraints.vertices[row])] = true;
-  }
+  const std::vector<bool> is_held = have_hard_handles(constraints, rest.vertex_count());
   const Eigen::Index handles = constraints.targets.cols();
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const auto place = static_cast<std::size_t>(v);

@@ -32,6 +32,10 @@ TEST(Constraints, AWeightIsThatOfASoftHandleOnly) {
   EXPECT_EQ(hard_and_soft().weights, Eigen::Vector2d(1, 2));
 }
 
+TEST(Constraints, TellWhichVerticesHaveHardHandles) {
+  EXPECT_EQ(have_hard_handles(hard_and_soft(), 3), (std::vector{true, false, false}));
+}
+
 TEST(Constraints, HeldHandlesHaveNoPenaltyButAreNotThereForThat) {
   const Points u = two_vertices();
   const Constraints constraints = held(hard_and_soft());
