@@ -31,6 +31,8 @@ constexpr double kLargestGainOfCoarse = 0.5;
 /// where they are not more than this part of all nodes.
 constexpr double kChangedStiffness = 1.1;
 constexpr double kMostChangedNodes = 0.05;
+/// Unknowns from which on that saves more than it costs.
+constexpr int kSolvedLocallyFrom = 4000;
 
 /// Of every node the trace of its block.
 std::vector<double> stiffness_of_nodes(const SparseSymmetric& A) {
@@ -108,6 +110,7 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
 /// of the iterations.
 std::optional<LocalSolve> HessianFactor::solve_of_changed_nodes(
     const SparseSymmetric& matrix) const {
+  if (matrix.size() < kSolvedLocallyFrom) return std::nullopt;
   const std::vector<double> stiffness = stiffness_of_nodes(matrix);
   std::vector<int> nodes;
   for (std::size_t node = 0; node < stiffness.size(); ++node)

@@ -65,12 +65,14 @@ TEST(HessianFactor, GuessesAreForTheFactorOfAnEarlierHessian) {
   }
 }
 
-/// The Hessian where `count` nodes, from 40 on, have `times` the stiffness, the trace of their
+constexpr int kLargeSize = 45;  ///< of a grid of 4,232 unknowns
+
+/// The Hessian where `count` nodes, from 100 on, have `times` the stiffness, the trace of their
 /// block.
-Hessian changed_hessian(int count, double times) {
-  Hessian changed = hessian();
+Hessian changed_hessian(int count, double times, int n = kLargeSize) {
+  Hessian changed = hessian(n);
   SparseSymmetric& A = changed.matrix;
-  for (int node = 40; node < 40 + count; ++node) {
+  for (int node = 100; node < 100 + count; ++node) {
     const auto column = 2 * static_cast<std::size_t>(node);
     const double trace = A.value[static_cast<std::size_t>(A.column_start[column])] +
                          A.value[static_cast<std::size_t>(A.column_start[column + 1])];
@@ -79,65 +81,62 @@ Hessian changed_hessian(int count, double times) {
   return changed;
 }
 
-/// Of an earlier Hessian's factor.
-HessianFactor earlier_factor() {
-  HessianFactor factor = factorized(hessian());
+std::optional<ConjugateGradientSolution> solution_from_earlier(HessianFactor& factor,
+                                                               const Hessian& of) {
   factor.outdate();
-  return factor;
+  return factor.solve_later(of, test::random_values(of.matrix.size(), 5), 1e-2, {});
 }
 
-/// What comes of the iterations with the factor of an earlier Hessian alone.
-ConjugateGradientSolution plain_solution(const Hessian& earlier, const Hessian& of) {
+/// By the factor of hessian(n), with a local solve where there is one.
+ConjugateGradientSolution plain_solution(const Hessian& of, LocalSolve* local = nullptr) {
+  const Hessian earlier = hessian(of.matrix.nodes < 1000 ? kSize : kLargeSize);
   Cholesky factor;
   factor.analyze(earlier.matrix);
   EXPECT_TRUE(factor.factorize(earlier.matrix));
-  return conjugate_gradients(of.matrix, right_hand_side(), factor, {1e-2, 100});
+  const ConjugateGradientSettings settings{
+      .least_gain = 1e-2, .most_iterations = 100, .local = local};
+  return conjugate_gradients(of.matrix, test::random_values(of.matrix.size(), 5), factor, settings);
 }
 
 TEST(HessianFactor, SolvesForAFewNodesThatBecameStifferByThemselves) {
-  HessianFactor factor = earlier_factor();
+  HessianFactor factor = factorized(hessian(kLargeSize));
   const Hessian stiffer = changed_hessian(10, 1000);
-  const auto found = solution(factor, stiffer);
+  const auto found = solution_from_earlier(factor, stiffer);
   ASSERT_TRUE(found);
-  EXPECT_LT(found->iterations, plain_solution(hessian(), stiffer).iterations);
+  EXPECT_LT(found->iterations, plain_solution(stiffer).iterations);
 
   std::vector<int> nodes(10);
-  std::iota(nodes.begin(), nodes.end(), 40);
+  std::iota(nodes.begin(), nodes.end(), 100);
   LocalSolve with_those_beside(stiffer.matrix, with_neighbours(stiffer.matrix, nodes));
-  Cholesky earlier;
-  earlier.analyze(hessian().matrix);
-  ASSERT_TRUE(earlier.factorize(hessian().matrix));
-  const ConjugateGradientSettings settings{
-      .least_gain = 1e-2, .most_iterations = 8, .local = &with_those_beside};
-  EXPECT_EQ(found->x, conjugate_gradients(stiffer.matrix, right_hand_side(), earlier, settings).x);
+  EXPECT_EQ(found->x, plain_solution(stiffer, &with_those_beside).x);
 }
 
-TEST(HessianFactor, SolvesForNodesByThemselvesWhereTheyAreFew) {
-  constexpr int kMost = 14;  // a twentieth of 289
-  for (const auto& [count, is_plain] : {std::pair(kMost, false), std::pair(kMost + 1, true)}) {
-    HessianFactor factor = earlier_factor();
-    const Hessian changed = changed_hessian(count, 1.5);
-    const auto found = solution(factor, changed);
-    ASSERT_TRUE(found);
-    EXPECT_EQ(found->x == plain_solution(hessian(), changed).x, is_plain);
-  }
+TEST(HessianFactor, SolvesForNodesByThemselvesWhereTheyAreFewOfMany) {
+  const auto is_plain = [](const Hessian& changed, int n) {
+    HessianFactor factor = factorized(hessian(n));
+    return solution_from_earlier(factor, changed)->x == plain_solution(changed).x;
+  };
+  constexpr int kMost = 105;  // a twentieth of 2,116
+  EXPECT_FALSE(is_plain(changed_hessian(kMost, 1.5), kLargeSize));
+  EXPECT_TRUE(is_plain(changed_hessian(kMost + 1, 1.5), kLargeSize));
+  EXPECT_TRUE(is_plain(changed_hessian(3, 1.5, kSize), kSize));
 }
 
 TEST(HessianFactor, SolvesForNodesByThemselvesWhoseStiffnessChangedEnough) {
   for (const auto& [times, is_plain] : {std::pair(1.05, true), std::pair(1.15, false),
                                         std::pair(1 / 1.05, true), std::pair(1 / 1.15, false)}) {
-    HessianFactor factor = earlier_factor();
+    HessianFactor factor = factorized(hessian(kLargeSize));
     const Hessian changed = changed_hessian(3, times);
-    EXPECT_EQ(solution(factor, changed)->x == plain_solution(hessian(), changed).x, is_plain);
+    EXPECT_EQ(solution_from_earlier(factor, changed)->x == plain_solution(changed).x, is_plain);
   }
 }
 
 TEST(HessianFactor, SeesThatAFewNodesMakeAHessianIndefinite) {
-  HessianFactor factor = earlier_factor();
-  const auto found = solution(factor, changed_hessian(3, -10));
+  HessianFactor factor = factorized(hessian(kLargeSize));
+  const auto found = solution_from_earlier(factor, changed_hessian(3, -10));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->end, ConjugateGradientEnd::indefinite);
-  EXPECT_TRUE(solution(factor, hessian())) << "the factor is kept";
+  EXPECT_TRUE(solution_from_earlier(factor, hessian(kLargeSize))) << "the factor is kept";
 }
 
 TEST(HessianFactor, SolvesFromACoarseMeshWithoutAFactor) {
