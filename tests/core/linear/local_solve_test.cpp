@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "core/linear/conjugate_gradients.h"
@@ -23,7 +24,8 @@ bool is_local(Eigen::Index unknown) {
   return std::binary_search(kNodes.begin(), kNodes.end(), static_cast<int>(unknown / 2));
 }
 
-/// The grid after its stiffness at kNodes was changed, one by one, by up to `most`.
+/// The grid after its stiffness at kNodes was changed, one by one, by up to `most`, and blocks of
+/// them and others beside them, which were symmetric.
 SparseSymmetric changed_grid(double most) {
   SparseSymmetric A = test::elastic_grid(kSquares);
   double stiffness = most;
@@ -31,6 +33,8 @@ SparseSymmetric changed_grid(double most) {
     add_block(A, node, node, stiffness * Eigen::Matrix2d{{1, 0.5}, {0.5, 1}});
     stiffness /= 2;
   }
+  for (const auto& [i, j] : {std::pair(40, 39), std::pair(41, 40), std::pair(42, 41)})
+    add_block(A, i, j, Eigen::Matrix2d{{0, 0.2}, {-0.1, 0}});
   return A;
 }
 

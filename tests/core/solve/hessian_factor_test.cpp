@@ -133,7 +133,12 @@ TEST(HessianFactor, SolvesForNodesByThemselvesWhoseStiffnessChangedEnough) {
 
 TEST(HessianFactor, SeesThatAFewNodesMakeAHessianIndefinite) {
   HessianFactor factor = factorized(hessian(kLargeSize));
-  const auto found = solution_from_earlier(factor, changed_hessian(3, -10));
+  const Hessian indefinite = changed_hessian(3, -0.5);
+  // Far from them, where iterations do not meet them.
+  const Eigen::VectorXd b =
+      Eigen::VectorXd::Unit(indefinite.matrix.size(), indefinite.matrix.size() - 1);
+  factor.outdate();
+  const auto found = factor.solve_later(indefinite, b, 1e-2, {});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->end, ConjugateGradientEnd::indefinite);
   EXPECT_TRUE(solution_from_earlier(factor, hessian(kLargeSize))) << "the factor is kept";
