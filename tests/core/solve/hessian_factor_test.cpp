@@ -134,9 +134,10 @@ TEST(HessianFactor, SolvesForNodesByThemselvesWhoseStiffnessChangedEnough) {
 TEST(HessianFactor, SeesThatAFewNodesMakeAHessianIndefinite) {
   HessianFactor factor = factorized(hessian(kLargeSize));
   const Hessian indefinite = changed_hessian(3, -0.5);
-  // Far from them, where iterations do not meet them.
-  const Eigen::VectorXd b =
-      Eigen::VectorXd::Unit(indefinite.matrix.size(), indefinite.matrix.size() - 1);
+  // What a node far from them asks for alone, so that iterations do not meet them.
+  const Eigen::Index size = indefinite.matrix.size();
+  Eigen::VectorXd b(size);
+  multiply(hessian(kLargeSize).matrix, Eigen::VectorXd::Unit(size, size - 1), b);
   factor.outdate();
   const auto found = factor.solve_later(indefinite, b, 1e-2, {});
   ASSERT_TRUE(found);
