@@ -134,12 +134,13 @@ TEST(HessianFactor, SolvesForNodesByThemselvesWhoseStiffnessChangedEnough) {
 TEST(HessianFactor, SeesThatAFewNodesMakeAHessianIndefinite) {
   HessianFactor factor = factorized(hessian(kLargeSize));
   const Hessian indefinite = changed_hessian(3, -0.5);
-  // What a node far from them asks for alone, so that iterations do not meet them.
+  // A node far from them moves alone and is guessed, so that iterations do not meet them.
   const Eigen::Index size = indefinite.matrix.size();
+  const std::vector<Eigen::VectorXd> guesses{Eigen::VectorXd::Unit(size, size - 1)};
   Eigen::VectorXd b(size);
-  multiply(hessian(kLargeSize).matrix, Eigen::VectorXd::Unit(size, size - 1), b);
+  multiply(indefinite.matrix, guesses[0], b);
   factor.outdate();
-  const auto found = factor.solve_later(indefinite, b, 1e-2, {});
+  const auto found = factor.solve_later(indefinite, b, 1e-2, guesses);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->end, ConjugateGradientEnd::indefinite);
   EXPECT_TRUE(solution_from_earlier(factor, hessian(kLargeSize))) << "the factor is kept";
