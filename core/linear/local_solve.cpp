@@ -6,18 +6,13 @@
 namespace foldless {
 namespace {
 
-/// The columns that begin at two places, from there on.
-Eigen::Matrix2d block_at(const SparseSymmetric& A, int first_column, int second_column) {
+/// The block of nodes i ≥ j, whole on the diagonal too.
+Eigen::Matrix2d block_of(const SparseSymmetric& A, int i, int j) {
+  const auto [first_column, second_column] = find_block(A, i, j);
   const double* first = &A.value[static_cast<std::size_t>(first_column)];
   const double* second = &A.value[static_cast<std::size_t>(second_column)];
+  if (i == j) return Eigen::Matrix2d{{first[0], first[1]}, {first[1], second[0]}};
   return Eigen::Matrix2d{{first[0], second[0]}, {first[1], second[1]}};
-}
-
-Eigen::Matrix2d diagonal_block(const SparseSymmetric& A, int node) {
-  const auto column = 2 * static_cast<std::size_t>(node);
-  const double below = A.value[static_cast<std::size_t>(A.column_start[column]) + 1];
-  return Eigen::Matrix2d{{A.value[static_cast<std::size_t>(A.column_start[column])], below},
-                         {below, A.value[static_cast<std::size_t>(A.column_start[column + 1])]}};
 }
 
 }  // namespace
@@ -26,17 +21,16 @@ LocalSolve::LocalSolve(const SparseSymmetric& A, const std::vector<int>& nodes) 
   std::vector<int> place(static_cast<std::size_t>(A.nodes), -1);  // in S
   for (std::size_t s = 0; s < nodes.size(); ++s) {
     place[static_cast<std::size_t>(nodes[s])] = static_cast<int>(s);
-    rows_.push_back({static_cast<int>(s), nodes[s], diagonal_block(A, nodes[s])});
+    rows_.push_back({static_cast<int>(s), nodes[s], block_of(A, nodes[s], nodes[s])});
   }
   std::vector<std::pair<int, int>> edges;
   for (int j = 0; j < A.nodes; ++j) {
     const auto node = static_cast<std::size_t>(j);
-    int first = A.column_start[2 * node] + 2, second = A.column_start[2 * node + 1] + 1;
-    for (int k = A.graph_start[node]; k < A.graph_start[node + 1]; ++k, first += 2, second += 2) {
+    for (int k = A.graph_start[node]; k < A.graph_start[node + 1]; ++k) {
       const int i = A.graph[static_cast<std::size_t>(k)];
       const int at_i = place[static_cast<std::size_t>(i)], at_j = place[node];
-      if (at_i >= 0) rows_.push_back({at_i, j, block_at(A, first, second)});
-      if (at_j >= 0) rows_.push_back({at_j, i, block_at(A, first, second).transpose()});
+      if (at_i >= 0) rows_.push_back({at_i, j, block_of(A, i, j)});
+      if (at_j >= 0) rows_.push_back({at_j, i, block_of(A, i, j).transpose()});
       if (at_i >= 0 && at_j >= 0) edges.emplace_back(at_i, at_j);
     }
   }

@@ -77,7 +77,8 @@ bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision preci
   kind_ = hessian.kind;
   is_near_ = cholesky_.factorize(hessian.matrix, mu, precision);
   is_of_mesh_ = is_near_;
-  stiffness_ = stiffness_of_nodes(hessian.matrix);
+  stiffness_.clear();
+  if (hessian.matrix.size() >= kSolvedLocallyFrom) stiffness_ = stiffness_of_nodes(hessian.matrix);
   is_own_ = is_near_ && mu == 0;
   return is_near_;
 }
@@ -106,11 +107,10 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
 }
 
 /// Of the nodes that became stiffer or softer than they were in the matrix of the factor, and their
-/// neighbours: a few triangles that turn about, are nearly crushed or came by flips would cost most
-/// of the iterations.
+/// neighbours: a few of them would cost most of the iterations.
 std::optional<LocalSolve> HessianFactor::solve_of_changed_nodes(
     const SparseSymmetric& matrix) const {
-  if (matrix.size() < kSolvedLocallyFrom) return std::nullopt;
+  if (stiffness_.empty()) return std::nullopt;
   const std::vector<double> stiffness = stiffness_of_nodes(matrix);
   std::vector<int> nodes;
   for (std::size_t node = 0; node < stiffness.size(); ++node)

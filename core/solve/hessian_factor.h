@@ -96,7 +96,7 @@ class HessianFactor {
                                                              double least_gain);
 
   Cholesky cholesky_;
-  std::vector<double> stiffness_;  ///< of the matrix of the factor, see stiffness_of_nodes()
+  std::vector<double> stiffness_;  ///< by node, of the matrix of a large factor; else empty
   HessianKind kind_;
   std::optional<CoarseHessian> coarse_;
   bool is_of_mesh_ = false;  ///< the factor, by its vertices

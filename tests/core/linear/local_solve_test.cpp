@@ -24,6 +24,17 @@ bool is_local(Eigen::Index unknown) {
   return std::binary_search(kNodes.begin(), kNodes.end(), static_cast<int>(unknown / 2));
 }
 
+void expect_zero_at_nodes(const Eigen::VectorXd& values) {
+  for (const int node : kNodes) EXPECT_LT(values.segment<2>(2 * node).norm(), 1e-11) << node;
+}
+
+void expect_as_before_elsewhere(const Eigen::VectorXd& x, const Eigen::VectorXd& before) {
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (is_local(i)) continue;
+    EXPECT_EQ(x[i], before[i]) << i;
+  }
+}
+
 /// The grid after its stiffness at kNodes was changed, one by one, by up to `most`, and blocks of
 /// them and others beside them, which were symmetric.
 SparseSymmetric changed_grid(double most) {
@@ -55,12 +66,8 @@ TEST(LocalSolve, MakesTheResidualZeroAtItsNodesAndMovesThemAlone) {
   const double fall = local.correct(x, r);
   EXPECT_LT((r - (b - product(A, x))).norm(), 1e-10 * b.norm());
   EXPECT_NEAR(fall, model(before) - model(x), 1e-9 * fall);
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    if (is_local(i))
-      EXPECT_NEAR(r[i], 0, 1e-11) << i;
-    else
-      EXPECT_EQ(x[i], before[i]) << i;
-  }
+  expect_zero_at_nodes(r);
+  expect_as_before_elsewhere(x, before);
 }
 
 TEST(LocalSolve, MakesAVectorConjugateToWhatItsNodesCanDo) {
@@ -69,13 +76,8 @@ TEST(LocalSolve, MakesAVectorConjugateToWhatItsNodesCanDo) {
   const Eigen::VectorXd before = test::random_values(A.size(), 3);
   Eigen::VectorXd x = before;
   local.make_conjugate(x);
-  const Eigen::VectorXd image = product(A, x);
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    if (is_local(i))
-      EXPECT_NEAR(image[i], 0, 1e-11) << i;
-    else
-      EXPECT_EQ(x[i], before[i]) << i;
-  }
+  expect_zero_at_nodes(product(A, x));
+  expect_as_before_elsewhere(x, before);
 }
 
 TEST(LocalSolve, SeesAMatrixThatIsNotDefiniteThere) {
@@ -99,7 +101,7 @@ TEST(LocalSolve, SavesTheIterationsThatItsNodesWouldTake) {
   EXPECT_LT((with.x - exact).norm(), 1e-6 * exact.norm());
 }
 
-TEST(LocalSolve, IsOneAmongTheGuesses) {
+TEST(LocalSolve, GoesOnFromTheBestGuess) {
   const SparseSymmetric A = changed_grid(1e4);
   Cholesky factor;
   factor.analyze(A);
