@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-#include "core/large_pages.h"
+#include "core/mesh/connectivity.h"
 
 namespace foldless {
 namespace {
@@ -29,22 +29,7 @@ MeshPair::MeshPair(const Triangles& triangles, const Points& rest)
 MeshPair::MeshPair(const Triangles& triangles, Points rest, Points deformed)
     : triangles_(triangles), rest_(std::move(rest)), deformed_(std::move(deformed)) {
   assert(rest_.cols() == deformed_.cols());
-  OpenMesh::TriConnectivity& connectivity = connectivity_.own();
-  const auto vertices = static_cast<std::size_t>(rest_.cols());
-  const auto faces = static_cast<std::size_t>(triangles.cols());
-  const std::size_t edges = vertices + faces + 1;
-  connectivity.reserve(vertices, edges, faces);
-  for (Eigen::Index v = 0; v < rest_.cols(); ++v) connectivity.add_vertex();
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    [[maybe_unused]] const FaceHandle f =
-        connectivity.add_face(VertexHandle(triangles(0, t)), VertexHandle(triangles(1, t)),
-                              VertexHandle(triangles(2, t)));
-    assert(f.is_valid() && f.idx() == t);
-    if (t == 0) {  // what was reserved has a place that one can ask for now
-      auto& first = connectivity.edge(EdgeHandle(0));
-      ask_for_large_pages(&first, edges * sizeof(first));
-    }
-  }
+  connect(connectivity_.own(), triangles_, vertex_count());
   touch();
 }
 
