@@ -20,7 +20,7 @@ BoundaryGuard::BoundaryGuard(const MeshPair& mesh)
     : gap_of_(static_cast<std::size_t>(mesh.vertex_count()), -1) {
   const std::vector<BoundaryNeighbours> neighbours =
       boundary_neighbours(mesh.triangles(), mesh.vertex_count());
-  std::vector<bool> overlaps(neighbours.size(), false);
+  std::vector<char> overlaps(neighbours.size(), 0);
   for (const auto& t : mesh.triangles().colwise())
     for (const Points* points : {&mesh.rest(), &mesh.deformed()})
       mark_overlaps(t, *points, neighbours, overlaps);

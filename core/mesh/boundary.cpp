@@ -2,6 +2,7 @@
 #include "core/mesh/boundary.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 
 namespace foldless {
@@ -51,12 +52,12 @@ std::vector<int> boundary_loop(const std::vector<BoundaryNeighbours>& neighbours
 }
 
 void mark_overlaps(const Eigen::Vector3i& triangle, const Points& points,
-                   const std::vector<BoundaryNeighbours>& neighbours, std::vector<bool>& overlaps) {
+                   const std::vector<BoundaryNeighbours>& neighbours, std::vector<char>& overlaps) {
   boundary::for_each_corner(triangle, [&](int v, int a, int b) {
     const auto i = static_cast<std::size_t>(v);
     if (neighbours[i].are_there() &&
         boundary::comes_round_to_next(points, {v, a, b}, neighbours[i].next))
-      overlaps[i] = true;
+      std::atomic_ref(overlaps[i]).store(1, std::memory_order_relaxed);
   });
 }
 

@@ -47,9 +47,10 @@ std::vector<int> boundary_loop(const std::vector<BoundaryNeighbours>& neighbours
 
 /// Marks, by vertex, the boundary vertices of a counter-clockwise triangle whose angles it takes to
 /// 2π or more; `neighbours` are those of every vertex. With all triangles at a vertex
-/// counter-clockwise one of them does so exactly where it overlaps itself. Exact.
+/// counter-clockwise one of them does so exactly where it overlaps itself. Exact. Threads may mark
+/// at the same time.
 void mark_overlaps(const Eigen::Vector3i& triangle, const Points& points,
-                   const std::vector<BoundaryNeighbours>& neighbours, std::vector<bool>& overlaps);
+                   const std::vector<BoundaryNeighbours>& neighbours, std::vector<char>& overlaps);
 
 /// Whether the angles at v add up to 2π or more, from all of its triangles: it then overlaps
 /// itself, or closes the gap between its two boundary edges. Never at an interior vertex.

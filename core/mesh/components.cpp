@@ -16,7 +16,9 @@ class DisjointSets {
     while (at(v) != v) v = at(v) = at(at(v));
     return v;
   }
-  void join(int a, int b) { at(root(a)) = root(b); }
+  void join(int a, int b) {
+    if (at(a) != at(b)) at(root(a)) = root(b);  // most are joined already
+  }
 
  private:
   int& at(int v) { return parent_[static_cast<std::size_t>(v)]; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/injective.h"
 
+#include <atomic>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -20,24 +21,20 @@ void count_offender(int index, int& count, std::optional<int>& first) {
   if (!first) first = index;
 }
 
-std::vector<int> orientations(const Triangles& triangles, const Points& points) {
-  std::vector<int> signs(static_cast<std::size_t>(triangles.cols()));
-  constexpr std::ptrdiff_t kTogether = 2048;
-  each_in_ranges(triangles.cols(), kTogether, [&](std::ptrdiff_t f) {
-    signs[static_cast<std::size_t>(f)] = orientation(points, triangles.col(f));
-  });
-  return signs;
-}
-
 /// How often the link of each vertex crosses the horizontal ray to its right upwards, from the
 /// corners of counter-clockwise triangles: round such a corner the link edge turns by less than
 /// π, so it crosses the ray exactly when it begins below and ends on or above. For an interior
 /// vertex the sum is its winding number, found by comparisons alone.
-void count_crossings(const Eigen::Vector3i& t, const Points& points, std::vector<int>& crossings) {
+void count_crossings(const Eigen::Vector3i& t, const Points& points, std::vector<int>& crossings,
+                     bool is_shared) {
   for (int corner = 0; corner < 3; ++corner) {
     const double y = points(1, t[corner]);
-    if (points(1, t[kNext[corner]]) < y && y <= points(1, t[kPrevious[corner]]))
-      ++crossings[static_cast<std::size_t>(t[corner])];
+    if (!(points(1, t[kNext[corner]]) < y && y <= points(1, t[kPrevious[corner]]))) continue;
+    int& count = crossings[static_cast<std::size_t>(t[corner])];
+    if (is_shared)
+      std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed);
+    else
+      ++count;
   }
 }
 
@@ -66,19 +63,25 @@ InjectivityChecker::InjectivityChecker(Triangles triangles, int vertex_count)
 
 InjectivityReport InjectivityChecker::check(const Points& points) const {
   assert(static_cast<std::size_t>(points.cols()) == interior_.size());
-  InjectivityReport report;
-  const std::vector<int> signs = orientations(triangles_, points);
+  std::vector<int> signs(static_cast<std::size_t>(triangles_.cols()));
   std::vector<int> crossings(interior_.size(), 0);
-  std::vector<bool> positive(interior_.size(), true), overlaps(interior_.size(), false);
-  for (Eigen::Index f = 0; f < triangles_.cols(); ++f) {
+  std::vector<char> overlaps(interior_.size(), 0);
+  constexpr std::ptrdiff_t kTogether = 2048;
+  const bool is_shared = present_team() && triangles_.cols() > kTogether;
+  each_in_ranges(triangles_.cols(), kTogether, [&](std::ptrdiff_t f) {
     const Eigen::Vector3i t = triangles_.col(f);
+    const int sign = orientation(points, t);
+    signs[static_cast<std::size_t>(f)] = sign;
+    if (sign <= 0) return;
+    count_crossings(t, points, crossings, is_shared);
+    mark_overlaps(t, points, boundary_, overlaps);
+  });
+  InjectivityReport report;
+  std::vector<bool> positive(interior_.size(), true);
+  for (Eigen::Index f = 0; f < triangles_.cols(); ++f) {
     const int sign = signs[static_cast<std::size_t>(f)];
-    if (sign > 0) {
-      count_crossings(t, points, crossings);
-      mark_overlaps(t, points, boundary_, overlaps);
-      continue;
-    }
-    for (const int v : t) positive[static_cast<std::size_t>(v)] = false;
+    if (sign > 0) continue;
+    for (const int v : triangles_.col(f)) positive[static_cast<std::size_t>(v)] = false;
     if (sign < 0) count_offender(static_cast<int>(f), report.inverted, report.first_inverted);
     if (sign == 0) count_offender(static_cast<int>(f), report.degenerate, report.first_degenerate);
   }

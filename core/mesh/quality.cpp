@@ -28,31 +28,46 @@ TriangleQuality triangle_quality(const Points& rest, const Points& deformed,
   return quality;
 }
 
-std::vector<TriangleQuality> qualities_of(const Triangles& triangles, const Points& rest,
-                                          const Points& deformed) {
-  std::vector<TriangleQuality> all(static_cast<std::size_t>(triangles.cols()));
-  constexpr std::ptrdiff_t kTogether = 2048;
-  in_ranges(triangles.cols(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t i = begin; i < end; ++i)
-      all[static_cast<std::size_t>(i)] = triangle_quality(rest, deformed, triangles.col(i));
-  });
-  return all;
-}
+/// Of some triangles.
+struct QualitySum {
+  double min_area_ratio = std::numeric_limits<double>::infinity();
+  double max_conformal_distortion = 1;
+  double sum_of_conformal_distortions = 0;
+  int unfolded = 0;
+
+  void add(const TriangleQuality& triangle) {
+    min_area_ratio = std::min(min_area_ratio, triangle.area_ratio);
+    if (!(triangle.area_ratio > 0)) return;
+    max_conformal_distortion = std::max(max_conformal_distortion, triangle.conformal_distortion);
+    sum_of_conformal_distortions += triangle.conformal_distortion;
+    ++unfolded;
+  }
+  void add(const QualitySum& others) {
+    min_area_ratio = std::min(min_area_ratio, others.min_area_ratio);
+    max_conformal_distortion = std::max(max_conformal_distortion, others.max_conformal_distortion);
+    sum_of_conformal_distortions += others.sum_of_conformal_distortions;
+    unfolded += others.unfolded;
+  }
+};
 
 }  // namespace
 
+// Summed by blocks, so that it has the same bits however many threads share it.
 Quality quality_of(const Triangles& triangles, const Points& rest, const Points& deformed) {
-  Quality quality{std::numeric_limits<double>::infinity(), 1, 0};
-  int unfolded = 0;
-  for (const auto& [area_ratio, conformal] : qualities_of(triangles, rest, deformed)) {
-    quality.min_area_ratio = std::min(quality.min_area_ratio, area_ratio);
-    if (!(area_ratio > 0)) continue;
-    ++unfolded;
-    quality.max_conformal_distortion = std::max(quality.max_conformal_distortion, conformal);
-    quality.mean_conformal_distortion += conformal;
-  }
-  quality.mean_conformal_distortion = unfolded ? quality.mean_conformal_distortion / unfolded : 1;
-  return quality;
+  constexpr std::ptrdiff_t kTogether = 2048;
+  std::vector<QualitySum> sums(
+      static_cast<std::size_t>((triangles.cols() + kTogether - 1) / kTogether));
+  in_parallel(static_cast<int>(sums.size()), [&](int block) {
+    QualitySum own;
+    const std::ptrdiff_t begin = block * kTogether;
+    for (std::ptrdiff_t t = begin; t < std::min(begin + kTogether, triangles.cols()); ++t)
+      own.add(triangle_quality(rest, deformed, triangles.col(t)));
+    sums[static_cast<std::size_t>(block)] = own;
+  });
+  QualitySum all;
+  for (const QualitySum& sum : sums) all.add(sum);
+  return {all.min_area_ratio, all.max_conformal_distortion,
+          all.unfolded ? all.sum_of_conformal_distortions / all.unfolded : 1};
 }
 
 double conformal_distortion(const Points& rest, const Points& deformed, const Eigen::Vector3i& t) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/threads/team.h"
 #include "tests/support/meshes.h"
 
 namespace foldless {
@@ -25,6 +26,16 @@ test::Fixture fan(int rim, int turns, double start) {
     f.rest.col(k + 1) = f.rest.col(0) + Vec2(std::cos(angle), std::sin(angle));
     f.triangles.col(k) << 0, k + 1, (k + 1) % rim + 1;
   }
+  return f;
+}
+
+/// As parts of one mesh.
+test::Fixture both(const test::Fixture& a, const test::Fixture& b) {
+  test::Fixture f;
+  f.rest.resize(2, a.rest.cols() + b.rest.cols());
+  f.rest << a.rest, b.rest;
+  f.triangles.resize(3, a.triangles.cols() + b.triangles.cols());
+  f.triangles << a.triangles, (b.triangles.array() + static_cast<int>(a.rest.cols())).matrix();
   return f;
 }
 
@@ -106,6 +117,34 @@ TEST(Injective, InteriorVerticesAreThoseInsideAGrid) {
       EXPECT_EQ(interior[static_cast<std::size_t>(j * n + i)],
                 i > 0 && j > 0 && i < n - 1 && j < n - 1);
   EXPECT_FALSE(interior[n * n]) << "a vertex without a triangle";
+}
+
+TEST(Injective, ThreadsFindTogetherWhatOneFinds) {
+  test::Fixture f = test::square_grid(80);
+  const unsigned seed = 3;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shake(-0.6, 0.6);
+  for (double& x : f.rest.reshaped()) x += shake(random);
+  f.rest.col(80 * 80 / 2) = f.rest.col(80 * 80 / 2 + 1);
+  test::Fixture open = fan(9, 2, 0.1);
+  open.triangles.conservativeResize(Eigen::NoChange, 8);
+  f = both(both(f, fan(9, 2, 0.1)), open);
+  const InjectivityReport alone = check_injectivity(f.triangles, f.rest);
+  ASSERT_GT(alone.inverted, 100);
+  ASSERT_GT(alone.degenerate, 0);
+  ASSERT_GT(alone.branch_vertices, 0);
+  ASSERT_FALSE(alone.overlapping_boundary_vertices.empty());
+  Team team(3);
+  const WithTeam with(&team);
+  const InjectivityReport shared = check_injectivity(f.triangles, f.rest);
+  EXPECT_EQ(shared.inverted, alone.inverted);
+  EXPECT_EQ(shared.degenerate, alone.degenerate);
+  EXPECT_EQ(shared.branch_vertices, alone.branch_vertices);
+  EXPECT_EQ(shared.first_inverted, alone.first_inverted);
+  EXPECT_EQ(shared.first_degenerate, alone.first_degenerate);
+  EXPECT_EQ(shared.first_branch_vertex, alone.first_branch_vertex);
+  EXPECT_EQ(shared.overlapping_boundary_vertices, alone.overlapping_boundary_vertices);
 }
 
 // Against the sum of angles in floating point, on fans far from any tie.

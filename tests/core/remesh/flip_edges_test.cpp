@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "core/energy/densities.h"
 #include "core/mesh/injective.h"
 #include "core/remesh/diamond_energy.h"
+#include "core/threads/team.h"
 #include "tests/core/remesh/reference_flips.h"
 #include "tests/support/meshes.h"
 #include "tests/support/valid_pair.h"
@@ -153,6 +156,23 @@ MeshPair nearly_collinear(double height) {
       1, 2,           //
       3, 3;
   return {triangles, rest, deformed};
+}
+
+TEST(FlipEdges, AreTheSameWithAnyNumberOfThreads) {
+  const auto f = test::square_grid(40);
+  Points deformed = f.rest;
+  const unsigned seed = 5;
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shake(-0.24, 0.24);  // of a side of a cell
+  for (double& x : deformed.reshaped()) x += shake(random);
+  MeshPair alone(f.triangles, f.rest, deformed), shared = alone;
+  const int flips = flip_edges(alone, settings());
+  ASSERT_GT(flips, 100);
+  Team team(3);
+  const WithTeam with(&team);
+  EXPECT_EQ(flip_edges(shared, settings()), flips);
+  EXPECT_EQ(shared.triangles(), alone.triangles());
 }
 
 TEST(FlipEdges, MakeNoNeedlesInTheRestMesh) {
