@@ -12,8 +12,8 @@ namespace foldless {
 void ask_for_large_pages(void* memory, std::size_t bytes);
 
 /// The same of what a vector will hold, which is empty yet.
-template <class Value>
-void reserve_large_pages(std::vector<Value>& values, std::size_t size) {
+template <class Value, class Allocator>
+void reserve_large_pages(std::vector<Value, Allocator>& values, std::size_t size) {
   values.reserve(size);
   ask_for_large_pages(values.data(), size * sizeof(Value));
 }

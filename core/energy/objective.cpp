@@ -180,6 +180,7 @@ void Objective::add_pull_of_gaps(const EnergySettings& settings, const Points& u
 }
 
 SparseSymmetric Objective::hessian_pattern() const {
+  if (is_shared()) return shared_pattern();
   std::vector<std::pair<int, int>> edges;
   edges.reserve(3 * rest_.size());
   for (const auto& t : triangles_.colwise())

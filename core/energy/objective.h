@@ -114,6 +114,7 @@ class Objective {
   void sum_shared(const ElementBatch& batch, EnergyGradient& sum) const;
   void sum_shared(const ElementBatch& batch, const Constraints& constraints, EnergyGradient& sum,
                   SparseSymmetric& hessian) const;
+  SparseSymmetric shared_pattern() const;
   void add_gaps(const EnergySettings& settings, const Points& u, EnergyGradient& sum) const;
   void add_gaps(const Energy& energy, const Points& u, SparseSymmetric& hessian) const;
   void add_pull_of_gaps(const EnergySettings& settings, const Points& u, const Points& way,

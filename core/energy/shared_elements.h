@@ -12,6 +12,7 @@
 #include "core/energy/element.h"
 #include "core/linear/buffer.h"
 #include "core/threads/team.h"
+#include "core/threads/unfilled_vector.h"
 
 namespace foldless {
 
@@ -81,10 +82,12 @@ class CornersOfVertices {
     const auto i = static_cast<std::size_t>(v);
     return std::span(corners_).subspan(start_[i], start_[i + 1] - start_[i]);
   }
+  /// How many corners are those of vertices before v.
+  std::size_t before(std::ptrdiff_t v) const { return start_[static_cast<std::size_t>(v)]; }
 
  private:
   std::vector<std::size_t> start_;  ///< #V + 1
-  std::vector<Corner> corners_;
+  UnfilledVector<Corner> corners_;
 };
 
 /// Room that is used again, and that a copy makes for itself. Nothing is written there before the

@@ -5,6 +5,10 @@
 #include "core/energy/objective.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "core/threads/unfilled_vector.h"
 
 namespace foldless {
 namespace {
@@ -18,9 +22,9 @@ void for_vertices(std::ptrdiff_t count, const Visit& visit) {
 }
 
 void clear_columns(SparseSymmetric& matrix, std::ptrdiff_t node) {
-  const auto column = 2 * static_cast<std::size_t>(node);
-  std::fill(matrix.value.begin() + matrix.column_start[column],
-            matrix.value.begin() + matrix.column_start[column + 2], 0.0);
+  const auto j = static_cast<std::size_t>(node);
+  std::fill(matrix.value.begin() + matrix.first_column(j),
+            matrix.value.begin() + matrix.first_column(j + 1), 0.0);
 }
 
 }  // namespace
@@ -65,6 +69,31 @@ void Objective::sum_shared(const ElementBatch& batch, const Constraints& constra
       add_columns(hessians[triangle], {triangle, corner}, constraints, hessian);
     }
   });
+}
+
+SparseSymmetric Objective::shared_pattern() const {
+  std::vector<int> start(static_cast<std::size_t>(corners_.vertices()) + 1, 0);
+  // Later neighbours; two triangles share most of them.
+  UnfilledVector<int> near(2 * static_cast<std::size_t>(triangles_.size()));
+  const auto near_of = [&](std::ptrdiff_t v) { return near.begin() + 2 * corners_.before(v); };
+  for_vertices(corners_.vertices(), [&](std::ptrdiff_t v) {
+    auto end = near_of(v);
+    for (const auto& [triangle, corner] : corners_.of(v))
+      for (const int other : {1, 2}) {
+        const int neighbour = triangles_((corner + other) % 3, triangle);
+        if (neighbour > v) *end++ = neighbour;
+      }
+    std::sort(near_of(v), end);
+    start[static_cast<std::size_t>(v) + 1] =
+        static_cast<int>(std::unique(near_of(v), end) - near_of(v));
+  });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<int> graph(static_cast<std::size_t>(start.back()));
+  for_vertices(corners_.vertices(), [&](std::ptrdiff_t v) {
+    const auto i = static_cast<std::size_t>(v);
+    std::copy_n(near_of(v), start[i + 1] - start[i], graph.begin() + start[i]);
+  });
+  return sparse_symmetric(std::move(start), std::move(graph));
 }
 
 }  // namespace foldless

@@ -5,10 +5,12 @@
 
 #include "core/linear/multifrontal.h"
 #include "core/linear/ordering.h"
+#include "core/linear/shared_vectors.h"
 #include "core/linear/single_precision_solve.h"
 #include "core/linear/sweep.h"
 #include "core/linear/symbolic_analysis.h"
 #include "core/linear/triangular_solve.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -60,22 +62,30 @@ float* Cholesky::new_single() {
   return single;
 }
 
+template <class Visit>
+void Cholesky::for_pairs(const Visit& visit) const {
+  const std::vector<int>& order = symbolic_->order;
+  each_in_ranges(static_cast<std::ptrdiff_t>(order.size()), kEntriesTogether,
+                 [&](std::ptrdiff_t k) {
+                   visit(2 * k, 2 * Eigen::Index{order[static_cast<std::size_t>(k)]});
+                 });
+}
+
 Eigen::VectorXd Cholesky::solve(const Eigen::VectorXd& right_hand_side) {
   Eigen::VectorXd& x = work_.in_order;
   x.resize(symbolic_->solve_size());
-  const auto nodes = static_cast<Eigen::Index>(symbolic_->order.size());
-  for (Eigen::Index k = 0; k < nodes; ++k)
-    x.segment<2>(2 * k) =
-        right_hand_side.segment<2>(2 * symbolic_->order[static_cast<std::size_t>(k)]);
+  for_pairs([&](Eigen::Index k, Eigen::Index node) {
+    x.segment<2>(k) = right_hand_side.segment<2>(node);
+  });
   triangular_solve(*symbolic_, values_->data(), x, work_.scratch);
   Eigen::VectorXd solution(right_hand_side.size());
-  for (Eigen::Index k = 0; k < nodes; ++k)
-    solution.segment<2>(2 * symbolic_->order[static_cast<std::size_t>(k)]) = x.segment<2>(2 * k);
+  for_pairs(
+      [&](Eigen::Index k, Eigen::Index node) { solution.segment<2>(node) = x.segment<2>(k); });
   return solution;
 }
 
 Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
-  const double scale = right_hand_side.lpNorm<Eigen::Infinity>();
+  const double scale = largest_magnitude(right_hand_side);
   if (scale == 0) return Eigen::VectorXd::Zero(right_hand_side.size());
   if (!solves_in_single_precision()) return solve(right_hand_side);
   if (!single_is_of_the_factor_) {
@@ -85,16 +95,15 @@ Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
   work_.single_in_order.reserve(static_cast<std::size_t>(symbolic_->solve_size()));
   work_.single_scratch.reserve(sweep_work_size(*symbolic_, kSingleOverrun));
   float* x = work_.single_in_order.data();
-  const double* b = right_hand_side.data();
-  for (std::size_t k = 0; k < symbolic_->order.size(); ++k)
-    for (std::size_t i = 0; i < 2; ++i)
-      x[2 * k + i] =
-          static_cast<float>(b[2 * static_cast<std::size_t>(symbolic_->order[k]) + i] / scale);
+  for_pairs([&](Eigen::Index k, Eigen::Index node) {
+    for (Eigen::Index i = 0; i < 2; ++i)
+      x[k + i] = static_cast<float>(right_hand_side[node + i] / scale);
+  });
   triangular_solve_single(*symbolic_, single_->data(), x, work_.single_scratch.data());
   Eigen::VectorXd solution(right_hand_side.size());
-  for (std::size_t k = 0; k < symbolic_->order.size(); ++k)
-    for (std::size_t i = 0; i < 2; ++i)
-      solution.data()[2 * static_cast<std::size_t>(symbolic_->order[k]) + i] = scale * x[2 * k + i];
+  for_pairs([&](Eigen::Index k, Eigen::Index node) {
+    for (Eigen::Index i = 0; i < 2; ++i) solution[node + i] = scale * x[k + i];
+  });
   return solution;
 }
 

@@ -58,6 +58,10 @@ class Cholesky {
     Buffer<float> single_in_order, single_scratch;
   };
 
+  /// Calls visit(k, node) with the first of every two unknowns, in the order of elimination and in
+  /// that of the matrix.
+  template <class Visit>
+  void for_pairs(const Visit& visit) const;
   /// Room for the factor in single precision.
   float* new_single();
 

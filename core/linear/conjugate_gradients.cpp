@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/conjugate_gradients.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
-#include <vector>
 
 #include "core/linear/local_solve.h"
+#include "core/linear/shared_vectors.h"
 
 namespace foldless {
 namespace {
@@ -19,40 +21,34 @@ constexpr double kLeastOwnPart = 1e-6;
 /// was measured to gain up to some 20 ε² of what that did.
 constexpr double kGainOfSquare = 25;
 
-/// What conjugate gradients have: x, b − A x, and by how much ½xᵀAx − bᵀx is lower than at 0.
-struct Progress {
-  Eigen::VectorXd x, residual;
+/// Takes the best of all sums of multiples of the guesses, which are made conjugate to each other,
+/// for x, and off the residual b − A x; by how much ½xᵀAx − bᵀx is then lower than at x = 0.
+double take_best_guess(const SparseSymmetric& A, std::span<const Eigen::VectorXd> guesses,
+                       Eigen::VectorXd& x, ConjugateGradientRoom& room) {
   double decrease = 0;
-};
-
-/// The best of all sums of multiples of the guesses, which are made conjugate to each other.
-Progress best_guess(const SparseSymmetric& A, const Eigen::VectorXd& b,
-                    std::span<const Eigen::VectorXd> guesses) {
-  Progress progress{Eigen::VectorXd::Zero(b.size()), b};
-  struct Direction {
-    Eigen::VectorXd p, image;  ///< A p
-    double curvature;          ///< pᵀAp
-  };
-  std::vector<Direction> directions;
+  std::size_t count = 0;
+  room.guesses.resize(std::max(room.guesses.size(), guesses.size()));
   for (const Eigen::VectorXd& guess : guesses) {
-    if (guess.size() != b.size()) continue;
-    Direction d{guess, Eigen::VectorXd(b.size()), 0};
-    multiply(A, d.p, d.image);
-    const double whole = d.p.dot(d.image);
-    for (const Direction& before : directions) {
-      const double part = before.p.dot(d.image) / before.curvature;
-      d.p -= part * before.p;
-      d.image -= part * before.image;
+    if (guess.size() != x.size()) continue;
+    auto& [p, image, curvature] = room.guesses[count];
+    p = guess;
+    multiply(A, p, image);
+    const double whole = shared_dot(p, image);
+    for (std::size_t k = 0; k < count; ++k) {
+      const ConjugateGradientRoom::Direction& before = room.guesses[k];
+      const double part = shared_dot(before.p, image) / before.curvature;
+      add_multiple(-part, before.p, p);
+      add_multiple(-part, before.image, image);
     }
-    d.curvature = d.p.dot(d.image);
-    if (!(d.curvature > kLeastOwnPart * whole)) continue;
-    const double along = progress.residual.dot(d.p);
-    progress.x += along / d.curvature * d.p;
-    progress.residual -= along / d.curvature * d.image;
-    progress.decrease += 0.5 * along * along / d.curvature;
-    directions.push_back(std::move(d));
+    curvature = shared_dot(p, image);
+    if (!(curvature > kLeastOwnPart * whole)) continue;
+    const double along = shared_dot(room.residual, p);
+    add_multiple(along / curvature, p, x);
+    add_multiple(-along / curvature, image, room.residual);
+    decrease += 0.5 * along * along / curvature;
+    ++count;
   }
-  return progress;
+  return decrease;
 }
 
 }  // namespace
@@ -60,23 +56,23 @@ Progress best_guess(const SparseSymmetric& A, const Eigen::VectorXd& b,
 ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Eigen::VectorXd& b,
                                               const Preconditioner& precondition,
                                               const ConjugateGradientSettings& settings) {
-  ConjugateGradientSolution solution;
-  Progress progress = best_guess(A, b, settings.guesses);
-  solution.x = std::move(progress.x);
-  Eigen::VectorXd& residual = progress.residual;
-  double& decrease = progress.decrease;
+  ConjugateGradientRoom own;
+  ConjugateGradientRoom& room = settings.room ? *settings.room : own;
+  Eigen::VectorXd &residual = room.residual, &direction = room.direction;
+  ConjugateGradientSolution solution{Eigen::VectorXd::Zero(b.size())};
+  residual = b;
+  double decrease = take_best_guess(A, settings.guesses, solution.x, room);
   if (settings.local) decrease += settings.local->correct(solution.x, residual);
   const auto preconditioned_residual = [&] {
     Eigen::VectorXd z = precondition(residual);
     if (settings.local) settings.local->make_conjugate(z);
     return z;
   };
-  Eigen::VectorXd image(b.size());
-  Eigen::VectorXd direction = preconditioned_residual();
-  double norm = residual.dot(direction);
+  direction = preconditioned_residual();
+  double norm = shared_dot(residual, direction);
   while (!(norm <= 0)) {
-    multiply(A, direction, image);
-    const double curvature = direction.dot(image);
+    multiply(A, direction, room.image);
+    const double curvature = shared_dot(direction, room.image);
     if (!std::isfinite(curvature)) {  // the preconditioner's numbers ended
       solution.end = ConjugateGradientEnd::slow;
       return solution;
@@ -89,7 +85,7 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
     const double gain = 0.5 * length * norm;
     const bool is_slow = solution.iterations > 0 && gain > settings.largest_gain * decrease;
     decrease += gain;
-    solution.x += length * direction;
+    add_multiple(length, direction, solution.x);
     if (gain <= settings.least_gain * decrease) return solution;
     const double missing = length - 1;
     if (settings.is_of_own_factor && kGainOfSquare * missing * missing <= settings.least_gain)
@@ -102,10 +98,11 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
       solution.end = ConjugateGradientEnd::stopped;
       return solution;
     }
-    residual -= length * image;
-    const Eigen::VectorXd next = preconditioned_residual();
-    const double next_norm = residual.dot(next);
-    direction = next + next_norm / norm * direction;
+    add_multiple(-length, room.image, residual);
+    Eigen::VectorXd next = preconditioned_residual();
+    const double next_norm = shared_dot(residual, next);
+    add_multiple(next_norm / norm, direction, next);
+    std::swap(direction, next);
     norm = next_norm;
   }
   if (norm < 0) solution.end = ConjugateGradientEnd::indefinite;

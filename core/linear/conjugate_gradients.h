@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 #include "core/linear/cholesky.h"
 #include "core/linear/sparse_symmetric.h"
@@ -13,6 +14,23 @@
 namespace foldless {
 
 class LocalSolve;
+
+/// Vectors that the next call uses again, and that a copy makes for itself: memory that was not
+/// used before is dear.
+struct ConjugateGradientRoom {
+  /// A guess, made conjugate to those before it.
+  struct Direction {
+    Eigen::VectorXd p, image;  ///< A p
+    double curvature = 0;      ///< pᵀAp
+  };
+
+  ConjugateGradientRoom() = default;
+  ConjugateGradientRoom(const ConjugateGradientRoom&) {}
+  ConjugateGradientRoom& operator=(const ConjugateGradientRoom&) { return *this; }
+
+  Eigen::VectorXd residual, direction, image;
+  std::vector<Direction> guesses;
+};
 
 /// When conjugate_gradients() ends.
 struct ConjugateGradientSettings {
@@ -31,7 +49,8 @@ struct ConjugateGradientSettings {
   bool is_of_own_factor = false;
   /// Of some nodes of A, where the residual is made zero in the beginning and stays so.
   LocalSolve* local = nullptr;
-  std::stop_token token = {};  ///< once it is set the method stops
+  std::stop_token token = {};             ///< once it is set the method stops
+  ConjugateGradientRoom* room = nullptr;  ///< null: of its own
 };
 
 /// How conjugate_gradients() ended.

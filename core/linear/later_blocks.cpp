@@ -11,8 +11,8 @@ namespace {
 template <class Put>
 void visit_blocks(const SparseSymmetric& matrix, const std::vector<int>& position, const Put& put) {
   for (std::size_t node = 0; node < position.size(); ++node) {
-    int first = matrix.column_start[2 * node] + 2;
-    int second = matrix.column_start[2 * node + 1] + 1;
+    int first = matrix.first_column(node) + 2;
+    int second = matrix.second_column(node) + 1;
     const int a = position[node];
     for (int k = matrix.graph_start[node]; k < matrix.graph_start[node + 1]; ++k) {
       const int other = matrix.graph[static_cast<std::size_t>(k)];

@@ -146,12 +146,11 @@ class Multifrontal {
     for (int j = 0; j < s.columns; j += 2) {
       const auto node =
           static_cast<std::size_t>(factor_.order[static_cast<std::size_t>((s.first + j) / 2)]);
-      const double* first = value + matrix_.column_start[2 * node];
+      const double* first = value + matrix_.first_column(node);
       Value* target = panel.value + static_cast<std::ptrdiff_t>(j) * (panel.rows + 1);
       target[0] = static_cast<Value>(first[0] + shift_);
       target[1] = static_cast<Value>(first[1]);
-      target[panel.rows + 1] =
-          static_cast<Value>(value[matrix_.column_start[2 * node + 1]] + shift_);
+      target[panel.rows + 1] = static_cast<Value>(value[matrix_.second_column(node)] + shift_);
     }
     const std::size_t end = k + 1 < factor_.supernodes.size()
                                 ? factor_.supernodes[k + 1].block_start

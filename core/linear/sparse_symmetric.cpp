@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/large_pages.h"
 #include "core/threads/team.h"
@@ -32,25 +33,6 @@ void make_graph(SparseSymmetric& m, const std::vector<std::pair<int, int>>& edge
   }
 }
 
-void make_columns(SparseSymmetric& m) {
-  const std::size_t size = 3 * static_cast<std::size_t>(m.nodes) + 4 * m.graph.size();
-  reserve_large_pages(m.row, size);
-  reserve_large_pages(m.value, size);
-  m.column_start.reserve(2 * static_cast<std::size_t>(m.nodes) + 1);
-  m.column_start.assign(1, 0);
-  for (int j = 0; j < m.nodes; ++j)
-    for (int column = 0; column < 2; ++column) {
-      for (int r = column; r < 2; ++r) m.row.push_back(2 * j + r);
-      for (int k = m.graph_start[static_cast<std::size_t>(j)];
-           k < m.graph_start[static_cast<std::size_t>(j) + 1]; ++k) {
-        m.row.push_back(2 * m.graph[static_cast<std::size_t>(k)]);
-        m.row.push_back(2 * m.graph[static_cast<std::size_t>(k)] + 1);
-      }
-      m.column_start.push_back(static_cast<int>(m.row.size()));
-    }
-  m.value.assign(m.row.size(), 0.0);
-}
-
 void make_earlier(SparseSymmetric& m) {
   m.earlier_start.assign(static_cast<std::size_t>(m.nodes) + 1, 0);
   for (const int i : m.graph) ++m.earlier_start[static_cast<std::size_t>(i) + 1];
@@ -59,12 +41,26 @@ void make_earlier(SparseSymmetric& m) {
   std::vector<int> next(m.earlier_start.begin(), m.earlier_start.end() - 1);
   for (int j = 0; j < m.nodes; ++j) {
     const auto node = static_cast<std::size_t>(j);
-    int first = m.column_start[2 * node] + 2, second = m.column_start[2 * node + 1] + 1;
+    int first = m.first_column(node) + 2, second = m.second_column(node) + 1;
     for (int k = m.graph_start[node]; k < m.graph_start[node + 1]; ++k, first += 2, second += 2) {
       const auto i = static_cast<std::size_t>(m.graph[static_cast<std::size_t>(k)]);
       m.earlier[static_cast<std::size_t>(next[i]++)] = {j, {first, second}};
     }
   }
+}
+
+/// What follows from the graph.
+void make_values(SparseSymmetric& m) {
+  const auto size = static_cast<std::size_t>(m.first_column(static_cast<std::size_t>(m.nodes)));
+  reserve_large_pages(m.value, size);
+  m.value.resize(size);
+  constexpr std::ptrdiff_t kValuesTogether = 16'384;
+  in_ranges(static_cast<std::ptrdiff_t>(size), kValuesTogether,
+            [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+              std::fill(m.value.begin() + begin, m.value.begin() + end, 0.0);
+            });
+  constexpr int kSharedFrom = 1024;
+  if (present_team() && m.nodes >= kSharedFrom) make_earlier(m);
 }
 
 /// The rows of a node, as multiply() adds them up: those before the node's column, then that.
@@ -80,8 +76,8 @@ void multiply_rows(const SparseSymmetric& A, std::ptrdiff_t node, const double* 
     y0 += first[0] * of[0] + second[0] * of[1];
     y1 += first[1] * of[0] + second[1] * of[1];
   }
-  const double* first = &A.value[static_cast<std::size_t>(A.column_start[2 * j])];
-  const double* second = &A.value[static_cast<std::size_t>(A.column_start[2 * j + 1])];
+  const double* first = &A.value[static_cast<std::size_t>(A.first_column(j))];
+  const double* second = &A.value[static_cast<std::size_t>(A.second_column(j))];
   const double* own = x + 2 * node;
   double z0 = first[0] * own[0] + first[1] * own[1], z1 = first[1] * own[0] + second[0] * own[1];
   first += 2;
@@ -101,15 +97,22 @@ SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int
   SparseSymmetric m;
   m.nodes = nodes;
   make_graph(m, edges);
-  make_columns(m);
-  constexpr int kSharedFrom = 1024;
-  if (present_team() && nodes >= kSharedFrom) make_earlier(m);
+  make_values(m);
+  return m;
+}
+
+SparseSymmetric sparse_symmetric(std::vector<int> graph_start, std::vector<int> graph) {
+  SparseSymmetric m;
+  m.nodes = static_cast<int>(graph_start.size()) - 1;
+  m.graph_start = std::move(graph_start);
+  m.graph = std::move(graph);
+  make_values(m);
   return m;
 }
 
 BlockPlace find_block(const SparseSymmetric& matrix, int i, int j) {
-  const int first = matrix.column_start[2 * static_cast<std::size_t>(j)];
-  const int second = matrix.column_start[2 * static_cast<std::size_t>(j) + 1];
+  const int first = matrix.first_column(static_cast<std::size_t>(j));
+  const int second = matrix.second_column(static_cast<std::size_t>(j));
   if (i == j) return {first, second};
   // A vertex has three later neighbours on average: too few for a binary search.
   const int* const begin =
@@ -131,16 +134,14 @@ void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorX
   }
   y.setZero(A.size());
   for (int j = 0; j < A.nodes; ++j) {
-    const double* first =
-        &A.value[static_cast<std::size_t>(A.column_start[2 * static_cast<std::size_t>(j)])];
-    const double* second =
-        &A.value[static_cast<std::size_t>(A.column_start[2 * static_cast<std::size_t>(j) + 1])];
+    const auto node = static_cast<std::size_t>(j);
+    const double* first = &A.value[static_cast<std::size_t>(A.first_column(node))];
+    const double* second = &A.value[static_cast<std::size_t>(A.second_column(node))];
     const double x0 = x[2 * j], x1 = x[2 * j + 1];
     double y0 = first[0] * x0 + first[1] * x1, y1 = first[1] * x0 + second[0] * x1;
     first += 2;
     second += 1;
-    for (int k = A.graph_start[static_cast<std::size_t>(j)];
-         k < A.graph_start[static_cast<std::size_t>(j) + 1]; ++k, first += 2, second += 2) {
+    for (int k = A.graph_start[node]; k < A.graph_start[node + 1]; ++k, first += 2, second += 2) {
       const int i = 2 * A.graph[static_cast<std::size_t>(k)];
       y0 += first[0] * x[i] + first[1] * x[i + 1];
       y1 += second[0] * x[i] + second[1] * x[i + 1];

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/threads/unfilled_vector.h"
+
 namespace foldless {
 
 /// Where the block of nodes i > j is in `value`: rows of column 2j at [0], of column 2j+1 at [1];
@@ -22,10 +24,7 @@ struct SparseSymmetric {
   int nodes = 0;
   std::vector<int> graph_start;  ///< #nodes + 1: where the later neighbours of a node begin
   std::vector<int> graph;        ///< neighbours with a larger index, sorted, node after node
-
-  std::vector<int> column_start;  ///< 2 #nodes + 1
-  std::vector<int> row;
-  std::vector<double> value;
+  UnfilledVector<double> value;  ///< 3 #nodes + 4 #graph
 
   /// A block of a node in the column of an earlier neighbour.
   struct Earlier {
@@ -36,11 +35,20 @@ struct SparseSymmetric {
   std::vector<Earlier> earlier;    ///< sorted by nodes, node after node
 
   int size() const { return 2 * nodes; }
+  /// Where the values of column 2j begin, for j = #nodes where they end: rows 2j, 2j+1 and those of
+  /// the later neighbours.
+  int first_column(std::size_t j) const { return 3 * static_cast<int>(j) + 4 * graph_start[j]; }
+  /// Where those of column 2j+1 begin: row 2j+1 and those of the later neighbours.
+  int second_column(std::size_t j) const {
+    return first_column(j) + 2 + 2 * (graph_start[j + 1] - graph_start[j]);
+  }
 };
 
 /// The pattern of a graph given by its edges (pairs of node indices, any order, repeats allowed);
 /// all values are zero.
 SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int>>& edges);
+/// The pattern of a graph given as SparseSymmetric has it; all values are zero.
+SparseSymmetric sparse_symmetric(std::vector<int> graph_start, std::vector<int> graph);
 
 /// Precondition: the pattern has the block.
 BlockPlace find_block(const SparseSymmetric& matrix, int i, int j);

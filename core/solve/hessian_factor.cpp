@@ -34,13 +34,10 @@ constexpr double kMostChangedNodes = 0.05;
 /// Unknowns from which on that saves more than it costs.
 constexpr int kSolvedLocallyFrom = 4000;
 
-/// Of every node the trace of its block.
-std::vector<double> stiffness_of_nodes(const SparseSymmetric& A) {
-  std::vector<double> trace(static_cast<std::size_t>(A.nodes));
-  for (std::size_t node = 0; node < trace.size(); ++node)
-    trace[node] = A.value[static_cast<std::size_t>(A.column_start[2 * node])] +
-                  A.value[static_cast<std::size_t>(A.column_start[2 * node + 1])];
-  return trace;
+/// The trace of the node's block.
+double stiffness_of(const SparseSymmetric& A, std::size_t node) {
+  return A.value[static_cast<std::size_t>(A.first_column(node))] +
+         A.value[static_cast<std::size_t>(A.second_column(node))];
 }
 
 }  // namespace
@@ -78,7 +75,9 @@ bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision preci
   is_near_ = cholesky_.factorize(hessian.matrix, mu, precision);
   is_of_mesh_ = is_near_;
   stiffness_.clear();
-  if (hessian.matrix.size() >= kSolvedLocallyFrom) stiffness_ = stiffness_of_nodes(hessian.matrix);
+  if (hessian.matrix.size() >= kSolvedLocallyFrom)
+    for (std::size_t node = 0; node < static_cast<std::size_t>(hessian.matrix.nodes); ++node)
+      stiffness_.push_back(stiffness_of(hessian.matrix, node));
   is_own_ = is_near_ && mu == 0;
   return is_near_;
 }
@@ -88,6 +87,7 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
     std::span<const Eigen::VectorXd> guesses) {
   if (!is_near(hessian.kind)) return solve_from_coarse(hessian, b, least_gain);
   ConjugateGradientSettings settings{least_gain, kMostLaggedIterations};
+  settings.room = &room_;
   settings.is_of_own_factor = is_own_;
   std::optional<LocalSolve> local;
   if (!is_own_) {
@@ -111,12 +111,12 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
 std::optional<LocalSolve> HessianFactor::solve_of_changed_nodes(
     const SparseSymmetric& matrix) const {
   if (stiffness_.empty()) return std::nullopt;
-  const std::vector<double> stiffness = stiffness_of_nodes(matrix);
   std::vector<int> nodes;
-  for (std::size_t node = 0; node < stiffness.size(); ++node)
-    if (stiffness[node] > kChangedStiffness * stiffness_[node] ||
-        stiffness_[node] > kChangedStiffness * stiffness[node])
+  for (std::size_t node = 0; node < stiffness_.size(); ++node) {
+    const double before = stiffness_[node], now = stiffness_of(matrix, node);
+    if (now > kChangedStiffness * before || before > kChangedStiffness * now)
       nodes.push_back(static_cast<int>(node));
+  }
   if (nodes.empty() || static_cast<double>(nodes.size()) > kMostChangedNodes * matrix.nodes)
     return std::nullopt;
   return LocalSolve(matrix, with_neighbours(matrix, nodes));
@@ -134,7 +134,8 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_from_coarse(const 
                           {.least_gain = least_gain,
                            .most_iterations = kMostCoarseIterations,
                            .largest_gain = kLargestGainOfCoarse,
-                           .token = cholesky_.token()});
+                           .token = cholesky_.token(),
+                           .room = &room_});
   if (solution.end == ConjugateGradientEnd::stopped) return std::nullopt;
   if (solution.end != ConjugateGradientEnd::slow) return solution;
   coarse_.reset();

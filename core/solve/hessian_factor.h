@@ -99,6 +99,7 @@ class HessianFactor {
   std::vector<double> stiffness_;  ///< by node, of the matrix of a large factor; else empty
   HessianKind kind_;
   std::optional<CoarseHessian> coarse_;
+  ConjugateGradientRoom room_;
   bool is_of_mesh_ = false;  ///< the factor, by its vertices
   bool is_analyzed_ = false;
   bool is_own_ = false;   ///< of ∇²E itself, in any precision

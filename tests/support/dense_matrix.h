@@ -8,16 +8,34 @@
 
 namespace foldless::test {
 
+/// Calls visit(row, column, value) for every entry of the lower triangle, by columns.
+template <class Visit>
+void for_each_entry(const SparseSymmetric& m, const Visit& visit) {
+  std::size_t k = 0;
+  for (int j = 0; j < m.nodes; ++j)
+    for (const int column : {2 * j, 2 * j + 1}) {
+      for (int row = column; row < 2 * j + 2; ++row) visit(row, column, m.value[k++]);
+      for (int i = m.graph_start[static_cast<std::size_t>(j)];
+           i < m.graph_start[static_cast<std::size_t>(j) + 1]; ++i)
+        for (const int row : {0, 1})
+          visit(2 * m.graph[static_cast<std::size_t>(i)] + row, column, m.value[k++]);
+    }
+}
+
 /// The whole matrix.
 inline Eigen::MatrixXd dense(const SparseSymmetric& m) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(m.size(), m.size());
-  for (int column = 0; column < m.size(); ++column)
-    for (int k = m.column_start[static_cast<std::size_t>(column)];
-         k < m.column_start[static_cast<std::size_t>(column) + 1]; ++k) {
-      const int row = m.row[static_cast<std::size_t>(k)];
-      result(row, column) = result(column, row) = m.value[static_cast<std::size_t>(k)];
-    }
+  for_each_entry(m, [&](int row, int column, double value) {
+    result(row, column) = result(column, row) = value;
+  });
   return result;
+}
+
+/// Of unknown i.
+inline double& diagonal(SparseSymmetric& m, int i) {
+  const auto node = static_cast<std::size_t>(i / 2);
+  return m
+      .value[static_cast<std::size_t>(i % 2 == 0 ? m.first_column(node) : m.second_column(node))];
 }
 
 /// Of a symmetric matrix.

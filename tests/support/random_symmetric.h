@@ -32,10 +32,6 @@ inline SparseSymmetric random_symmetric(unsigned seed) {
   return m;
 }
 
-inline double& diagonal(SparseSymmetric& m, int i) {
-  return m.value[static_cast<std::size_t>(m.column_start[static_cast<std::size_t>(i)])];
-}
-
 /// The matrix with as much on its diagonal as its rows have beside it, and more.
 inline SparseSymmetric dominated(SparseSymmetric m, unsigned seed) {
   const Eigen::VectorXd sums = dense(m).cwiseAbs().rowwise().sum();

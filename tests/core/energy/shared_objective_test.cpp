@@ -26,7 +26,8 @@ TEST(SharedObjective, SumsHaveTheSameBitsWithAnyNumberOfThreads) {
   struct Sums {
     double value;
     EnergyGradient first, second;
-    std::vector<double> hessian;
+    std::vector<int> graph_start, graph;
+    UnfilledVector<double> hessian;
     Eigen::VectorXd product;
     double bound;
   };
@@ -35,9 +36,12 @@ TEST(SharedObjective, SumsHaveTheSameBitsWithAnyNumberOfThreads) {
     const WithTeam with(asked);
     const Objective objective(mesh, energy.constraints);
     SparseSymmetric hessian = objective.hessian_pattern();
-    Sums sums{objective.value(energy, u).total(), objective.gradient(energy, u), {}, {}, {}, 0};
+    Sums sums{
+        objective.value(energy, u).total(), objective.gradient(energy, u), {}, {}, {}, {}, {}, 0};
     sums.second = objective.assemble(energy, u, hessian, 0.5);
     multiply(hessian, sums.second.gradient, sums.product);
+    sums.graph_start = hessian.graph_start;
+    sums.graph = hessian.graph;
     sums.hessian = hessian.value;
     sums.bound = objective.largest_step(energy.settings, u, -u);
     all.push_back(sums);
@@ -47,6 +51,8 @@ TEST(SharedObjective, SumsHaveTheSameBitsWithAnyNumberOfThreads) {
   EXPECT_EQ(all[0].first.gradient, all[1].first.gradient);
   EXPECT_EQ(all[0].second.energy.total(), all[1].second.energy.total());
   EXPECT_EQ(all[0].second.gradient, all[1].second.gradient);
+  EXPECT_EQ(all[0].graph_start, all[1].graph_start);
+  EXPECT_EQ(all[0].graph, all[1].graph);
   EXPECT_EQ(all[0].hessian, all[1].hessian);
   EXPECT_EQ(all[0].product, all[1].product);
   EXPECT_EQ(all[0].bound, all[1].bound);

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/dense_matrix.h"
+
 namespace foldless {
 namespace {
 
@@ -56,14 +58,10 @@ Eigen::VectorXd solution_of(const SparseSymmetric& m) {
 double residual(const SparseSymmetric& m, double shift, const Eigen::VectorXd& x,
                 const Eigen::VectorXd& b) {
   Eigen::VectorXd r = b - shift * x;
-  for (int column = 0; column < m.size(); ++column)
-    for (int k = m.column_start[static_cast<std::size_t>(column)];
-         k < m.column_start[static_cast<std::size_t>(column) + 1]; ++k) {
-      const int row = m.row[static_cast<std::size_t>(k)];
-      const double value = m.value[static_cast<std::size_t>(k)];
-      r[row] -= value * x[column];
-      if (row != column) r[column] -= value * x[row];
-    }
+  test::for_each_entry(m, [&](int row, int column, double value) {
+    r[row] -= value * x[column];
+    if (row != column) r[column] -= value * x[row];
+  });
   return r.norm() / b.norm();
 }
 

@@ -27,16 +27,13 @@ SparseSymmetric random_matrix(int nodes, unsigned seed) {
   SparseSymmetric m = sparse_symmetric(nodes, edges);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (double& value : m.value) value = unit(random);
-  for (int i = 0; i < m.size(); ++i)
-    m.value[static_cast<std::size_t>(m.column_start[static_cast<std::size_t>(i)])] += 30;
+  for (int i = 0; i < m.size(); ++i) test::diagonal(m, i) += 30;
   return m;
 }
 
 /// Adds to the diagonal, here more and there less.
 SparseSymmetric changed(SparseSymmetric m, double by) {
-  for (int i = 0; i < m.size(); ++i)
-    m.value[static_cast<std::size_t>(m.column_start[static_cast<std::size_t>(i)])] +=
-        by * (1 + i % 5);
+  for (int i = 0; i < m.size(); ++i) test::diagonal(m, i) += by * (1 + i % 5);
   return m;
 }
 

@@ -30,9 +30,12 @@ using test::random_symmetric;
 constexpr unsigned kSeeds = 60;
 
 Eigen::SparseMatrix<double> lower(const SparseSymmetric& m) {
-  return Eigen::Map<const Eigen::SparseMatrix<double>>(
-      m.size(), m.size(), static_cast<Eigen::Index>(m.row.size()), m.column_start.data(),
-      m.row.data(), m.value.data());
+  std::vector<Eigen::Triplet<double>> entries;
+  test::for_each_entry(
+      m, [&](int row, int column, double value) { entries.emplace_back(row, column, value); });
+  Eigen::SparseMatrix<double> lower(m.size(), m.size());
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
 }
 
 /// The first column, in the order of elimination, at which the scalar algorithm finds a pivot that

@@ -11,6 +11,7 @@
 #include "core/energy/densities.h"
 #include "tests/core/linear/elastic_grid.h"
 #include "tests/core/linear/random_values.h"
+#include "tests/support/dense_matrix.h"
 
 namespace foldless {
 namespace {
@@ -73,9 +74,7 @@ Hessian changed_hessian(int count, double times, int n = kLargeSize) {
   Hessian changed = hessian(n);
   SparseSymmetric& A = changed.matrix;
   for (int node = 100; node < 100 + count; ++node) {
-    const auto column = 2 * static_cast<std::size_t>(node);
-    const double trace = A.value[static_cast<std::size_t>(A.column_start[column])] +
-                         A.value[static_cast<std::size_t>(A.column_start[column + 1])];
+    const double trace = test::diagonal(A, 2 * node) + test::diagonal(A, 2 * node + 1);
     add_block(A, node, node, (times - 1) * trace / 2 * Eigen::Matrix2d::Identity());
   }
   return changed;

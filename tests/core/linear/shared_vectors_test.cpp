@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/shared_vectors.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/linear/random_values.h"
+
+namespace foldless {
+namespace {
+
+constexpr int kVectorSizes[] = {0, 1, 4095, 4096, 4097, 20001};
+
+TEST(SharedVectors, AreThoseOfTheLinearAlgebra) {
+  for (const int size : kVectorSizes) {
+    SCOPED_TRACE(size);
+    const Eigen::VectorXd a = test::random_values(size, 1), b = test::random_values(size, 2);
+    EXPECT_NEAR(shared_dot(a, b), a.dot(b), 1e-13 * size);
+    Eigen::VectorXd sum = b;
+    add_multiple(-0.3, a, sum);
+    EXPECT_EQ(sum, Eigen::VectorXd(b - 0.3 * a));
+    EXPECT_EQ(largest_magnitude(a), a.lpNorm<Eigen::Infinity>());
+    EXPECT_EQ(largest_magnitude(-a), a.lpNorm<Eigen::Infinity>());
+  }
+}
+
+TEST(SharedVectors, HaveTheSameBitsWithAnyNumberOfThreads) {
+  for (const int size : kVectorSizes) {
+    SCOPED_TRACE(size);
+    const Eigen::VectorXd a = test::random_values(size, 3), b = test::random_values(size, 4);
+    Eigen::VectorXd alone = b, shared = b;
+    const double dot = shared_dot(a, b);
+    add_multiple(7, a, alone);
+    Team team(3);
+    const WithTeam with(&team);
+    EXPECT_EQ(shared_dot(a, b), dot);
+    add_multiple(7, a, shared);
+    EXPECT_EQ(shared, alone);
+  }
+}
+
+}  // namespace
+}  // namespace foldless
