@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
-#include "core/threads/team.h"
+#include "core/threads/values_of_ranges.h"
 
 namespace foldless {
 
@@ -52,18 +51,15 @@ struct QualitySum {
 
 }  // namespace
 
-// Summed by blocks, so that it has the same bits however many threads share it.
 Quality quality_of(const Triangles& triangles, const Points& rest, const Points& deformed) {
   constexpr std::ptrdiff_t kTogether = 2048;
-  std::vector<QualitySum> sums(
-      static_cast<std::size_t>((triangles.cols() + kTogether - 1) / kTogether));
-  in_parallel(static_cast<int>(sums.size()), [&](int block) {
-    QualitySum own;
-    const std::ptrdiff_t begin = block * kTogether;
-    for (std::ptrdiff_t t = begin; t < std::min(begin + kTogether, triangles.cols()); ++t)
-      own.add(triangle_quality(rest, deformed, triangles.col(t)));
-    sums[static_cast<std::size_t>(block)] = own;
-  });
+  const auto sums =
+      values_of_ranges(triangles.cols(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+        QualitySum own;
+        for (std::ptrdiff_t t = begin; t < end; ++t)
+          own.add(triangle_quality(rest, deformed, triangles.col(t)));
+        return own;
+      });
   QualitySum all;
   for (const QualitySum& sum : sums) all.add(sum);
   return {all.min_area_ratio, all.max_conformal_distortion,

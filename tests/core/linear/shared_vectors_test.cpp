@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/threads/team.h"
 #include "tests/core/linear/random_values.h"
 
 namespace foldless {

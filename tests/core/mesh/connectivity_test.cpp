@@ -13,7 +13,6 @@
 namespace foldless {
 namespace {
 
-using OpenMesh::EdgeHandle;
 using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::TriConnectivity;
