@@ -5,7 +5,7 @@
 
 #include "core/energy/barrier.h"
 #include "core/energy/clamp.h"
-#include "core/energy/conformal_square.h"
+#include "core/energy/conformal_power.h"
 #include "core/energy/corner_blocks.h"
 #include "core/energy/energy_settings.h"
 
@@ -67,7 +67,7 @@ FOLDLESS_INLINED EnergyOf<Real> energy_of(const EnergySettings& settings,
   const Real chi = barrier_value(determinant(J), settings.delta);
   Real barrier = barrier_weight(settings, element) * chi;
   if (settings.conformal_weight > 0)
-    barrier += settings.conformal_weight * ConformalSquare::value(J);
+    barrier += settings.conformal_weight * ConformalPower::value(J, settings.conformal_power);
   // The bound A′ > δA holds for β = 0 too, where 0 · ∞ would hide it.
   const auto is_outside = chi == kOutside;
   return {select(is_outside, 0, distortion_weight(settings, element) * Kind::value(J)),
@@ -91,9 +91,9 @@ FOLDLESS_INLINED DerivativesOf<Real> weighted_derivatives(const EnergySettings& 
   sum.det += beta * chi.first;
   sum.det_det += beta * chi.second;
   if (settings.conformal_weight > 0) {
-    const DerivativesOf<Real> square = ConformalSquare::derivatives(J);
-    energy.barrier += settings.conformal_weight * square.value;
-    add(Real(settings.conformal_weight), square, sum);
+    const DerivativesOf<Real> conformal = ConformalPower::derivatives(J, settings.conformal_power);
+    energy.barrier += settings.conformal_weight * conformal.value;
+    add(Real(settings.conformal_weight), conformal, sum);
   }
   return sum;
 }

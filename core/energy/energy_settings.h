@@ -21,7 +21,8 @@ struct EnergySettings {
   double unit_area = 1;       ///< D², so that no sum depends on the unit of length [length²]
   bool barrier_area_weighted = false;  ///< true: Σ β A χ instead of Σ β χ
   Reference reference = Reference::rest;
-  double conformal_weight = 0;  ///< of conformal_square_value() of every triangle, large or small
+  double conformal_weight = 0;  ///< of conformal_power_value() of every triangle, large or small
+  int conformal_power = 2;      ///< its q
   /// κ, the weight per rest area of the barrier on the gaps of boundary vertices; 0: neither the
   /// barrier nor its bound on steps, and boundary vertices may overlap themselves.
   double gap_weight = 0;

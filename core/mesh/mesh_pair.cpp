@@ -44,6 +44,12 @@ void MeshPair::set_positions(Points rest, Points deformed) {
   deformed_ = std::move(deformed);
 }
 
+void MeshPair::move_vertex(int v, const Vec2& rest, const Vec2& deformed) {
+  rest_.col(v) = rest;
+  deformed_.col(v) = deformed;
+  touch();
+}
+
 void MeshPair::set_stiffness(std::shared_ptr<const Stiffness> stiffness) {
   stiffness_ = std::move(stiffness);
 }

@@ -44,14 +44,17 @@ class MeshPair {
   const Points& deformed() const { return deformed_; }
   /// Replaces the positions of M′, 2 × #V.
   void set_deformed(Points deformed);
-  /// Replaces both arrays, 2 × #V; the connectivity stays.
+  /// The same pair in another frame: replaces both arrays, 2 × #V; connectivity and revision stay.
   void set_positions(Points rest, Points deformed);
+  /// Moves one vertex in both meshes.
+  void move_vertex(int v, const Vec2& rest, const Vec2& deformed);
 
   /// Of the plane of M, in the units of rest(); null: 1 everywhere.
   const std::shared_ptr<const Stiffness>& stiffness() const { return stiffness_; }
   void set_stiffness(std::shared_ptr<const Stiffness> stiffness);
 
-  /// Changes with every flip and split, unique in the process: equal numbers mean equal triangles.
+  /// Changes with every flip, split and moved vertex, unique in the process: equal numbers mean
+  /// equal triangles, and vertices that are at rest where they were.
   std::uint64_t revision() const { return revision_; }
 
   /// Vertex indices of an edge, the smaller first.

@@ -10,17 +10,21 @@
 namespace foldless {
 namespace refining {
 
-/// In which triangles edges are split in a round, and ε with which the mesh settles after it.
+/// In which triangles edges are split in a round, and how the mesh settles after it.
 struct Refinement {
   double part;  ///< of the largest σ₁/σ₂, from which on
-  double exponent;
+  SettleSettings settings;
 };
-/// Each where those before it leave the mesh crushed.
-constexpr Refinement kRefinements[] = {{0.7, 0.4}, {0.2, 0.4}, {0.7, 1.5}, {0.2, 1.5}};
+/// Each where those before it leave the mesh crushed. High powers see the worst triangles alone.
+constexpr Refinement kRefinements[] = {{0.7, {.exponent = 0.4}},
+                                       {0.7, {.exponent = 0.4, .power = 16}},
+                                       {0.2, {.exponent = 0.4, .power = 16}},
+                                       {0.7, {.exponent = 1.5, .power = 16}},
+                                       {0.2, {.exponent = 1.5, .power = 16}}};
 /// A round helps where the largest σ₁/σ₂ falls to this part.
 constexpr double kLess = 0.95;
 /// and E is at most so many times that of the mesh before all rounds.
-constexpr double kDearer = 1.5;
+constexpr double kDearer = 3;
 constexpr int kMostRoundsWithoutHelp = 3;
 constexpr int kMostRounds = 12;
 /// Rounds end with so many times the vertices.
@@ -40,7 +44,7 @@ Steps<> refine_in_rounds(Workspace& work, Refinement refinement, Limits limits) 
     if (work.split_distorted(refinement.part * distortion) == 0 ||
         work.mesh.vertex_count() > limits.vertices)
       break;
-    co_await settle(work, {.exponent = refinement.exponent});
+    co_await settle(work, refinement.settings);
     distortion = largest_distortion(work.mesh);
     ++without_help;
     if (distortion >= kLess * least_distortion || settled_energy(work) > limits.energy) continue;

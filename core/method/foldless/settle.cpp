@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/energy/conformal_square.h"
+#include "core/energy/conformal_power.h"
 #include "core/method/foldless/flipping_descent.h"
 
 namespace foldless {
@@ -20,8 +20,11 @@ constexpr double kSmallDecrementOfNewton = 1e-2;
 constexpr double kSmallDecrementOfLarge = 2e-3;
 constexpr double kSmallStep = 1e-9;  ///< [D]
 constexpr int kMostSteps = 300;
-/// Flips at the minimum start the descent again when they gain more than this part of E.
-constexpr double kGainOfFlips = 1e-2;
+/// Flips and moves at rest at the minimum start the descent again when they gain more than this
+/// part of E.
+constexpr double kGainAtTheMinimum = 1e-2;
+/// Moves at rest go on while a sweep gains this part of E.
+constexpr double kGainOfASweep = 1e-3;
 /// Triangles that a transport crushed can make the step with K useless.
 constexpr int kMostFailures = 3;
 
@@ -32,11 +35,11 @@ bool is_converged(const VertexUpdate& update, double energy, const Workspace& wo
          update.step_infinity_norm < kSmallStep * work.settings->diagonal;
 }
 
-/// K.
-double conformal_sum(const MeshPair& mesh) {
+/// Σ k^q.
+double conformal_sum(const MeshPair& mesh, int q) {
   double sum = 0;
   for (const auto& t : mesh.triangles().colwise())
-    sum += conformal_square_value(deformation_gradient(mesh.rest(), mesh.deformed(), t));
+    sum += conformal_power_value(deformation_gradient(mesh.rest(), mesh.deformed(), t), q);
   return sum;
 }
 
@@ -46,35 +49,45 @@ double value_of(const Workspace& work, const Energy& energy) {
 
 }  // namespace settling
 
-// E Kᵉ falls with every step that lowers E + w K for w = ε E / K: the logarithm is concave.
+// E Kᵉ falls with every step that lowers E + w Σ k^q for w = 2/q ε E / Σ k^q: the logarithm is
+// concave.
 Steps<> settle(Workspace& work, SettleSettings settings) {
   using namespace settling;
   const Energy scene = work.held_energy();
   Energy energy = scene;
+  const int q = energy.settings.conformal_power = settings.power;
   double& weight = energy.settings.conformal_weight;
   FlippingDescent descent(settings.use);
   const auto next = [&](const std::stop_token& token) { return descent.step(work, energy, token); };
   double E = value_of(work, scene);
+  double at_minimum = 0;
+  const auto relocate = [&](const std::stop_token& token) {
+    return work.relocate_vertices(energy.settings, kGainOfASweep * at_minimum, token);
+  };
   int failures = 0;
   bool is_plain = false;  // the next step lowers E alone
   for (int step = 1;; ++step) {
-    weight = is_plain ? 0 : settings.exponent * E / conformal_sum(work.mesh);
+    weight = is_plain ? 0 : 2.0 / q * settings.exponent * E / conformal_sum(work.mesh, q);
     const VertexUpdate update = co_await vertex_update(next);
     const bool has_failed = update.step_length == 0 && !is_plain;
     if (has_failed) ++failures;
     is_plain = has_failed || failures >= kMostFailures;
-    bool is_settled = step >= kMostSteps;
-    if (!has_failed && !is_settled) {
-      E = value_of(work, scene);
-      if (is_converged(update, E, work)) {
-        const double before = value_of(work, energy);
-        descent.flip(work, energy.settings);
-        is_settled = before - value_of(work, energy) <= kGainOfFlips * before;
-        E = value_of(work, scene);
-      }
+    const bool is_last = step >= kMostSteps;
+    if (!has_failed) E = value_of(work, scene);
+    const bool is_minimum = !has_failed && !is_last && is_converged(update, E, work);
+    if (is_minimum) {
+      at_minimum = value_of(work, energy);
+      descent.flip(work, energy.settings);
     }
     co_yield work.record(update, scene, Phase::settle);
-    if (is_settled) co_return;
+    if (is_last) co_return;
+    if (!is_minimum) continue;
+    if (work.has_vertices_of_splits()) {
+      const VertexUpdate moves = co_await vertex_update(relocate);
+      co_yield work.record(moves, scene, Phase::settle);
+    }
+    if (at_minimum - value_of(work, energy) <= kGainAtTheMinimum * at_minimum) co_return;
+    E = value_of(work, scene);
   }
 }
 
@@ -83,7 +96,7 @@ double settled_energy(const Workspace& work) {
 }
 
 double merit_of(const Workspace& work, double exponent) {
-  const double mean = settling::conformal_sum(work.mesh) / work.mesh.face_count();
+  const double mean = settling::conformal_sum(work.mesh, 2) / work.mesh.face_count();
   return settled_energy(work) * std::pow(mean, exponent);
 }
 

@@ -11,14 +11,16 @@ namespace foldless {
 struct SettleSettings {
   /// ε: a percent off every k is worth 2 ε percent of E.
   double exponent = 0.08;
+  /// q of conformal_power_value(): the larger it is, the more the most distorted triangles count.
+  int power = 2;
   FactorUse use = FactorUse::lagged;
 };
 
 /// The handles are where they are to stay, eliminated from the unknowns; Newton's method lowers
-/// E Kᵉ, with flips on the way: K is the sum over the triangles of k² as in
-/// conformal_square_value(), each counting the same, and the small exponent ε says what part of E
-/// lower distortions are worth. Small triangles weigh next to nothing in E, however distorted. Ends
-/// when neither moves nor flips gain anything.
+/// E Kᵉ, with flips on the way: K = (Σ k^q)^(2/q) over the triangles, each counting the same, and
+/// the small exponent ε says what part of E lower distortions are worth. Small triangles weigh next
+/// to nothing in E, however distorted. Vertices of splits move at rest, too. Ends when neither
+/// moves nor flips gain anything.
 Steps<> settle(Workspace& work, SettleSettings settings = {});
 
 /// E of the scene with the handles held.

@@ -5,6 +5,7 @@
 
 #include "core/method/foldless/handles_of_components.h"
 #include "core/method/record.h"
+#include "core/remesh/relocate_vertices.h"
 #include "core/remesh/split_distorted.h"
 
 namespace foldless {
@@ -79,6 +80,20 @@ int Workspace::collapse_edges(const CollapseSettings& collapse) {
   const int removed = foldless::collapse_edges(mesh, collapse);
   if (removed > 0) system.rebuild(mesh, constraints, mesh.edge_count());
   return removed;
+}
+
+VertexUpdate Workspace::relocate_vertices(const EnergySettings& energy, double least_gain,
+                                          const std::stop_token& token) {
+  MeshPair moved = mesh;
+  const double fall =
+      foldless::relocate_vertices(moved, {energy, settings->first_removable, least_gain}, token);
+  if (token.stop_requested()) return {.cancelled = true};
+  const double largest = (moved.deformed() - mesh.deformed()).cwiseAbs().maxCoeff();
+  if (fall > 0) {
+    mesh = std::move(moved);
+    system.rebuild(mesh, constraints, 0);
+  }
+  return {.step_length = 1, .step_infinity_norm = largest};
 }
 
 void Workspace::set_mesh(MeshPair other) {

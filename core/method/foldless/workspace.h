@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/energy/constraints.h"
@@ -65,6 +66,11 @@ struct Workspace {
   int split_distorted(double least);
   /// Returns how many vertices were removed; see collapse_edges() of core/remesh.
   int collapse_edges(const CollapseSettings& collapse);
+  bool has_vertices_of_splits() const { return mesh.vertex_count() > settings->first_removable; }
+  /// Moves vertices of splits in both meshes, while a sweep lowers `energy` by more than
+  /// `least_gain`. See relocate_vertices() of core/remesh.
+  VertexUpdate relocate_vertices(const EnergySettings& energy, double least_gain,
+                                 const std::stop_token& token);
   /// Takes another mesh with the same handle vertices.
   void set_mesh(MeshPair other);
   /// Takes the same mesh with other positions and so many edges flipped.

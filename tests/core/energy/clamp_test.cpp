@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/energy/barrier.h"
-#include "core/energy/conformal_square.h"
+#include "core/energy/conformal_power.h"
 #include "core/energy/densities.h"
 #include "tests/support/dense_derivatives.h"
 
@@ -68,7 +68,7 @@ TEST(NegativeCurvature, GivesTheNearestPositiveSemidefiniteMatrixForEveryDensity
       const BarrierDerivatives<double> chi = barrier_derivatives(J.determinant(), 1e-5);
       d.det += chi.first;
       d.det_det += chi.second;
-      if (trial % 2 == 1) add(conformal_square_derivatives(J), d);
+      if (trial % 2 == 1) add(conformal_power_derivatives(J, trial % 4 == 1 ? 2 : 16), d);
       const Eigen::Matrix4d hessian = test::dense_hessian(d, J);
       const Eigen::Matrix4d expected = clamped_by_eigenvalues(hessian);
       EXPECT_LE((clamped_hessian(d, J) - expected).norm(), 1e-9 * hessian.norm());

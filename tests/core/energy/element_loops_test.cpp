@@ -56,7 +56,8 @@ std::vector<EnergySettings> all_settings() {
                        .unit_area = 1.7,
                        .barrier_area_weighted = !flag,
                        .reference = reference,
-                       .conformal_weight = flag ? 0.2 : 0});
+                       .conformal_weight = flag ? 0.2 : 0,
+                       .conformal_power = reference == Reference::rest ? 2 : 16});
   return all;
 }
 

@@ -53,6 +53,18 @@ TEST(MeshPair, FlipSwapsTheDiagonalAndChangesTheRevision) {
   for (const auto& t : mesh.triangles().colwise()) EXPECT_GT(signed_area(mesh.rest(), t), 0);
 }
 
+TEST(MeshPair, MovingAVertexChangesTheRevisionForWhatIsAtRestIsNotWhereItWas) {
+  const auto f = test::unit_square();
+  MeshPair mesh(f.triangles, f.rest);
+  const auto before = mesh.revision();
+  mesh.move_vertex(2, Vec2(1, 1.5), Vec2(2, 3));
+  EXPECT_NE(mesh.revision(), before);
+  EXPECT_EQ(mesh.rest().col(2), Vec2(1, 1.5));
+  EXPECT_EQ(mesh.deformed().col(2), Vec2(2, 3));
+  EXPECT_EQ(mesh.rest().col(1), f.rest.col(1));
+  EXPECT_EQ(mesh.deformed().col(1), f.rest.col(1));
+}
+
 TEST(MeshPair, BoundaryEdgesAndDuplicateEdgesAreNotFlippable) {
   const auto f = test::unit_square();
   const MeshPair mesh(f.triangles, f.rest);

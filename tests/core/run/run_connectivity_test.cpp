@@ -15,6 +15,24 @@ using test::placed;
 using test::Script;
 using test::starter_of;
 
+TEST(RunConnectivity, ShowsWhereVerticesOfSplitsHaveMovedToAtRest) {
+  const auto script = std::make_shared<Script>();
+  script->change = [](MeshPair& mesh, int k) {
+    if (k == 1) mesh.split_edge(*mesh.find_edge(5, 10), 0.5);
+    if (k == 2)
+      mesh.move_vertex(16, mesh.rest().col(5) * 0.75 + mesh.rest().col(10) * 0.25,
+                       mesh.deformed().col(16));
+  };
+  foldless::Run run(grid_problem(4, Vec2(3, 3)), 0, starter_of(script));
+  run.step({});
+  EXPECT_EQ(run.snapshot()->rest->col(16), Vec2(1.5, 1.5));
+  const auto split = run.snapshot();
+  run.step({});
+  EXPECT_EQ(run.snapshot()->rest->col(16), Vec2(1.25, 1.25));
+  EXPECT_NE(run.snapshot()->revision, split->revision);
+  EXPECT_EQ(split->rest->col(16), Vec2(1.5, 1.5)) << "what was shown stays as it was";
+}
+
 TEST(RunConnectivity, MarksFlippedEdgesUntilTheyAreFlippedBack) {
   const auto script = std::make_shared<Script>();
   script->change = [](MeshPair& mesh, int) {

@@ -71,6 +71,63 @@ TEST(Settle, ALargerExponentLowersTheDistortions) {
   EXPECT_GE(lower_max, 0.75 * kSeeds);
 }
 
+TEST(Settle, AHigherPowerLowersTheLargestDistortion) {
+  constexpr int kSeeds = 100;
+  int lower = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const auto largest = [&](int power) {
+      OwnWorkspace own = arrived_workspace(seed);
+      test::run_to_the_end(settle(own.work, {.exponent = 0.4, .power = power}));
+      EXPECT_TRUE(test::is_valid(own.work.mesh));
+      return shape_of(own.work.mesh).max_conformal_distortion;
+    };
+    lower += largest(16) < largest(2);
+  }
+  EXPECT_GE(lower, 0.75 * kSeeds);
+}
+
+TEST(Settle, MovesVerticesOfSplitsAtRestAndNoOthers) {
+  int moved = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = arrived_workspace(seed, 10);
+    const int first = own.settings.first_removable;
+    const Points before = own.work.mesh.rest();
+    double merit = merit_of(own.work);
+    StageRunner<void> runner(settle(own.work));
+    while (!runner.has_ended()) {
+      runner.step();
+      EXPECT_LE(merit_of(own.work), merit * (1 + 1e-9));
+      EXPECT_TRUE(test::is_valid(own.work.mesh));
+      merit = merit_of(own.work);
+    }
+    const Points& rest = own.work.mesh.rest();
+    EXPECT_EQ(rest.leftCols(first), before.leftCols(first));
+    moved += rest.rightCols(rest.cols() - first) != before.rightCols(rest.cols() - first);
+  }
+  EXPECT_GE(moved, 15);
+}
+
+TEST(Settle, LeavesBothMeshesAsTheyAreWhereAStepIsCancelled) {
+  int cancelled = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = arrived_workspace(seed, 10);
+    const MeshPair& mesh = own.work.mesh;
+    StageRunner<void> runner(settle(own.work));
+    Points rest = mesh.rest(), deformed = mesh.deformed();
+    cancelled += test::run_with_cancels(runner, seed, [&](bool was_cancelled) {
+      if (was_cancelled) {
+        EXPECT_EQ(mesh.rest(), rest);
+        EXPECT_EQ(mesh.deformed(), deformed);
+      }
+      rest = mesh.rest();
+      deformed = mesh.deformed();
+    });
+  }
+  EXPECT_GT(cancelled, 20) << "the claim would be empty";
+}
+
 /// A grid at rest but for a vertex next to the opposite edge of one of its triangles; in the map
 /// that vertex is where it belongs. Its Jacobians are in the order of 1/height.
 OwnWorkspace crushed_workspace(double height) {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/remesh/relocate_vertices.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "core/energy/moved_corner.h"
+#include "core/mesh/orientation.h"
+#include "core/remesh/diamond_energy.h"
+
+namespace foldless {
+namespace {
+
+constexpr int kMostSweeps = 20;
+/// Of the curvature along each coordinate, added to it: there is next to none along a move of both
+/// meshes that leaves the map as it is.
+constexpr double kDamping = 1e-3;
+/// Of the way to where a triangle is used up.
+constexpr double kPartOfTheWay = 0.8;
+/// A step has to bring this part of what the slope promises.
+constexpr double kPartOfTheSlope = 1e-4;
+constexpr int kMostHalvings = 8;
+
+/// Triangles round a vertex, which is their corner 0.
+using Star = std::vector<Eigen::Vector3i>;
+
+Star star_of(const MeshPair& mesh, int v) {
+  Star star;
+  for (const int t : mesh.triangles_of_vertex(v)) {
+    Eigen::Vector3i corners = mesh.triangles().col(t);
+    while (corners[0] != v) corners = Eigen::Vector3i(corners[1], corners[2], corners[0]);
+    star.push_back(corners);
+  }
+  return star;
+}
+
+MovedCorner moved_vertex(const MeshPair& mesh, const Star& star, const EnergySettings& energy) {
+  MovedCorner sum;
+  for (const Eigen::Vector3i& t : star) {
+    const MovedCorner one =
+        moved_corner(energy, reference_element(energy, mesh, t), corners_of(mesh.deformed(), t), 1);
+    sum.energy += one.energy;
+    sum.gradient += one.gradient;
+    sum.hessian += one.hessian;
+  }
+  return sum;
+}
+
+/// How many times `move` leads to where the first triangle of the star is used up.
+double way_to_first_used_up(const Points& points, const Star& star, const Vec2& move) {
+  double first = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3i& t : star) {
+    const double change = 0.5 * cross(points.col(t[2]) - points.col(t[1]), move);
+    if (change < 0) first = std::min(first, -signed_area(points, t) / change);
+  }
+  return first;
+}
+
+bool is_positive(const MeshPair& mesh, const Star& star, double delta) {
+  return is_feasible(mesh, star, delta) && std::ranges::all_of(star, [&](const Eigen::Vector3i& t) {
+           return orientation(mesh.rest(), t) > 0 && orientation(mesh.deformed(), t) > 0;
+         });
+}
+
+/// Returns by how much the energy fell.
+double relocate(MeshPair& mesh, int v, const EnergySettings& energy) {
+  const Star star = star_of(mesh, v);
+  const MovedCorner at = moved_vertex(mesh, star, energy);
+  Eigen::Matrix4d damped = at.hessian;
+  damped.diagonal() *= 1 + kDamping;
+  const Eigen::Vector4d move = -damped.ldlt().solve(at.gradient);
+  const double slope = at.gradient.dot(move);
+  if (!(slope < 0)) return 0;
+  const Vec2 rest = mesh.rest().col(v), deformed = mesh.deformed().col(v);
+  const double way = std::min(way_to_first_used_up(mesh.rest(), star, move.head<2>()),
+                              way_to_first_used_up(mesh.deformed(), star, move.tail<2>()));
+  double step = std::min(1.0, kPartOfTheWay * way);
+  for (int i = 0; i < kMostHalvings; ++i, step *= 0.5) {
+    mesh.move_vertex(v, rest + step * move.head<2>(), deformed + step * move.tail<2>());
+    if (!is_positive(mesh, star, energy.delta)) continue;
+    const double fall = at.energy - energy_of(mesh, star, energy);
+    if (fall >= -kPartOfTheSlope * step * slope) return fall;
+  }
+  mesh.move_vertex(v, rest, deformed);
+  return 0;
+}
+
+std::vector<int> movable_vertices(const MeshPair& mesh, int first) {
+  std::vector<int> movable;
+  for (int v = first; v < mesh.vertex_count(); ++v)
+    if (!mesh.is_isolated(v) && !mesh.is_boundary_vertex(v)) movable.push_back(v);
+  return movable;
+}
+
+}  // namespace
+
+double relocate_vertices(MeshPair& mesh, const RelocateSettings& settings,
+                         const std::stop_token& token) {
+  const std::vector<int> movable = movable_vertices(mesh, settings.first_movable);
+  double fall = 0;
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    double gain = 0;
+    for (const int v : movable) {
+      if (token.stop_requested()) return fall + gain;
+      gain += relocate(mesh, v, settings.energy);
+    }
+    fall += gain;
+    if (gain <= settings.least_gain) break;
+  }
+  return fall;
+}
+
+}  // namespace foldless
