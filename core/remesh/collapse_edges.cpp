@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/mesh/boundary.h"
-#include "core/mesh/orientation.h"
 #include "core/remesh/diamond_energy.h"
 
 namespace foldless {
@@ -142,10 +141,7 @@ std::vector<Eigen::Vector3i> triangles_after(const Rings& rings, int v, int to) 
 // and to less than one. Only the neighbours of a boundary vertex along the boundary have a new
 // neighbour there.
 bool is_valid(const MeshPair& mesh, const std::vector<Eigen::Vector3i>& triangles, double delta) {
-  return !triangles.empty() && is_feasible(mesh, triangles, delta) &&
-         std::ranges::all_of(triangles, [&](const Eigen::Vector3i& t) {
-           return orientation(mesh.rest(), t) > 0 && orientation(mesh.deformed(), t) > 0;
-         });
+  return !triangles.empty() && is_proved_feasible(mesh, triangles, delta);
 }
 
 /// Whether a boundary vertex overlaps itself, in either mesh, when v has gone to `to`.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/mesh/orientation.h"
+
 namespace foldless {
 namespace {
 
@@ -37,6 +39,14 @@ bool is_feasible(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangle
     const double area = signed_area(mesh.rest(), t);
     return signed_area(mesh.deformed(), t) > delta * area && is_positive_at_rest(mesh, t, area);
   });
+}
+
+bool is_proved_feasible(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles,
+                        double delta) {
+  return is_feasible(mesh, triangles, delta) &&
+         std::ranges::all_of(triangles, [&](const Eigen::Vector3i& t) {
+           return orientation(mesh.rest(), t) > 0 && orientation(mesh.deformed(), t) > 0;
+         });
 }
 
 double energy_of(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles,

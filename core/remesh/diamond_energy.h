@@ -25,6 +25,9 @@ bool is_positive_at_rest(const MeshPair& mesh, std::span<const Eigen::Vector3i> 
 
 /// True when the triangles are that and satisfy eq. 9, G > 0, in M′.
 bool is_feasible(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles, double delta);
+/// That, and exact predicates find them positive in both meshes.
+bool is_proved_feasible(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles,
+                        double delta);
 
 /// Distortion and barrier of the triangles, without the penalty: E_ab of those of a diamond.
 double energy_of(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles,

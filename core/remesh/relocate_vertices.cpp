@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/energy/moved_corner.h"
-#include "core/mesh/orientation.h"
 #include "core/remesh/diamond_energy.h"
 
 namespace foldless {
@@ -58,12 +57,6 @@ double way_to_first_used_up(const Points& points, const Star& star, const Vec2& 
   return first;
 }
 
-bool is_positive(const MeshPair& mesh, const Star& star, double delta) {
-  return is_feasible(mesh, star, delta) && std::ranges::all_of(star, [&](const Eigen::Vector3i& t) {
-           return orientation(mesh.rest(), t) > 0 && orientation(mesh.deformed(), t) > 0;
-         });
-}
-
 /// Returns by how much the energy fell.
 double relocate(MeshPair& mesh, int v, const EnergySettings& energy) {
   const Star star = star_of(mesh, v);
@@ -79,7 +72,7 @@ double relocate(MeshPair& mesh, int v, const EnergySettings& energy) {
   double step = std::min(1.0, kPartOfTheWay * way);
   for (int i = 0; i < kMostHalvings; ++i, step *= 0.5) {
     mesh.move_vertex(v, rest + step * move.head<2>(), deformed + step * move.tail<2>());
-    if (!is_positive(mesh, star, energy.delta)) continue;
+    if (!is_proved_feasible(mesh, star, energy.delta)) continue;
     const double fall = at.energy - energy_of(mesh, star, energy);
     if (fall >= -kPartOfTheSlope * step * slope) return fall;
   }

@@ -25,18 +25,23 @@ Quality settled_quality(std::uint64_t seed, double exponent) {
   return shape_of(own.work.mesh);
 }
 
+/// Of every step of a settling, after which both meshes are valid.
+void expect_falling_merit(Workspace& work) {
+  double merit = merit_of(work);
+  StageRunner<void> runner(settle(work));
+  while (!runner.has_ended()) {
+    runner.step();
+    EXPECT_LE(merit_of(work), merit * (1 + 1e-9));
+    EXPECT_TRUE(test::is_valid(work.mesh));
+    merit = merit_of(work);
+  }
+}
+
 TEST(Settle, NeverRaisesEnergyTimesDistortionAndStaysValid) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     OwnWorkspace own = arrived_workspace(seed);
-    double merit = merit_of(own.work);
-    StageRunner<void> runner(settle(own.work));
-    while (!runner.has_ended()) {
-      runner.step();
-      EXPECT_LE(merit_of(own.work), merit * (1 + 1e-9));
-      EXPECT_TRUE(test::is_valid(own.work.mesh));
-      merit = merit_of(own.work);
-    }
+    expect_falling_merit(own.work);
   }
 }
 
@@ -93,14 +98,7 @@ TEST(Settle, MovesVerticesOfSplitsAtRestAndNoOthers) {
     OwnWorkspace own = arrived_workspace(seed, 10);
     const int first = own.settings.first_removable;
     const Points before = own.work.mesh.rest();
-    double merit = merit_of(own.work);
-    StageRunner<void> runner(settle(own.work));
-    while (!runner.has_ended()) {
-      runner.step();
-      EXPECT_LE(merit_of(own.work), merit * (1 + 1e-9));
-      EXPECT_TRUE(test::is_valid(own.work.mesh));
-      merit = merit_of(own.work);
-    }
+    expect_falling_merit(own.work);
     const Points& rest = own.work.mesh.rest();
     EXPECT_EQ(rest.leftCols(first), before.leftCols(first));
     moved += rest.rightCols(rest.cols() - first) != before.rightCols(rest.cols() - first);
