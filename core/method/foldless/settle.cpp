@@ -49,13 +49,14 @@ double value_of(const Workspace& work, const Energy& energy) {
 
 }  // namespace settling
 
-// E Kᵉ falls with every step that lowers E + w Σ k^q for w = 2/q ε E / Σ k^q: the logarithm is
-// concave.
+// E Kᵉ falls with every step that lowers E + w Σ k^q for w = 2/q ε E / (b + Σ k^q): the logarithm
+// is concave.
 Steps<> settle(Workspace& work, SettleSettings settings) {
   using namespace settling;
   const Energy scene = work.held_energy();
   Energy energy = scene;
   const int q = energy.settings.conformal_power = settings.power;
+  const double enough = std::pow(settings.enough, q);
   double& weight = energy.settings.conformal_weight;
   FlippingDescent descent(settings.use);
   const auto next = [&](const std::stop_token& token) { return descent.step(work, energy, token); };
@@ -67,7 +68,8 @@ Steps<> settle(Workspace& work, SettleSettings settings) {
   int failures = 0;
   bool is_plain = false;  // the next step lowers E alone
   for (int step = 1;; ++step) {
-    weight = is_plain ? 0 : 2.0 / q * settings.exponent * E / conformal_sum(work.mesh, q);
+    const double K = enough + conformal_sum(work.mesh, q);
+    weight = is_plain ? 0 : 2.0 / q * settings.exponent * E / K;
     const VertexUpdate update = co_await vertex_update(next);
     const bool has_failed = update.step_length == 0 && !is_plain;
     if (has_failed) ++failures;

@@ -13,12 +13,15 @@ struct SettleSettings {
   double exponent = 0.08;
   /// q of conformal_power_value(): the larger it is, the more the most distorted triangles count.
   int power = 2;
+  /// The k below which less distortion is worth next to nothing; 0 for none.
+  double enough = 0;
   FactorUse use = FactorUse::lagged;
 };
 
 /// The handles are where they are to stay, eliminated from the unknowns; Newton's method lowers
-/// E Kᵉ, with flips on the way: K = (Σ k^q)^(2/q) over the triangles, each counting the same, and
-/// the small exponent ε says what part of E lower distortions are worth. Small triangles weigh next
+/// E Kᵉ, with flips on the way: K = (b + Σ k^q)^(2/q) over the triangles, each counting the same,
+/// where b is `enough` to the power of q, and the exponent ε says what part of E lower distortions
+/// are worth. Small triangles weigh next
 /// to nothing in E, however distorted. Vertices of splits move at rest, too. Ends when neither
 /// moves nor flips gain anything.
 Steps<> settle(Workspace& work, SettleSettings settings = {});

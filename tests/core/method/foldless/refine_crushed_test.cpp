@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/generate.h"
 #include "core/method/foldless/cut_to_handles.h"
 #include "core/method/foldless/settle.h"
 #include "core/method/foldless/tidy.h"
+#include "tests/core/method/foldless/squeezed_workspace.h"
 #include "tests/core/method/foldless/stage_runner.h"
 #include "tests/core/method/foldless/workspaces.h"
 #include "tests/support/valid_pair.h"
@@ -23,7 +23,7 @@ using test::StageRunner;
 /// The class of maps in which most meshes end crushed.
 constexpr int kSlits = 2;
 
-TEST(RefineCrushed, GivesRoomBetweenHandlesAndIsValidWhateverIsCancelled) {
+TEST(RefineCrushed, GivesRoomBetweenHandlesAndShowsNothingWorseWhateverIsCancelled) {
   int cancelled = 0, crushed = 0, uncrushed = 0;
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -33,17 +33,18 @@ TEST(RefineCrushed, GivesRoomBetweenHandlesAndIsValidWhateverIsCancelled) {
     if (progress != Progress::arrived) continue;
     test::run_to_the_end(tidy(work));
     if (!is_crushed(work.mesh)) continue;
-    const double distortion = largest_distortion(work.mesh), energy = settled_energy(work);
-    const int vertices = work.mesh.vertex_count();
+    const double energy = settled_energy(work);
+    double distortion = largest_distortion(work.mesh);
     StageRunner<void> runner(refine_crushed(work));
-    cancelled +=
-        test::run_with_cancels(runner, seed, [&](bool) { EXPECT_TRUE(test::is_valid(work.mesh)); });
+    cancelled += test::run_with_cancels(runner, seed, [&](bool) {
+      EXPECT_TRUE(test::is_valid(work.mesh));
+      const double before = std::exchange(distortion, largest_distortion(work.mesh));
+      EXPECT_LE(distortion, before);
+    });
     ++crushed;
     if (!is_crushed(work.mesh)) ++uncrushed;
     EXPECT_EQ(work.error(), 0);
-    EXPECT_LE(largest_distortion(work.mesh), distortion);
-    EXPECT_LE(settled_energy(work), 3 * energy);
-    EXPECT_LE(work.mesh.vertex_count(), 2 * vertices);
+    EXPECT_LE(settled_energy(work), 10 * energy);
   }
   EXPECT_GT(cancelled, 20) << "the claim would be empty";
   EXPECT_GE(crushed, 6) << "the claim would be empty";
@@ -52,11 +53,7 @@ TEST(RefineCrushed, GivesRoomBetweenHandlesAndIsValidWhateverIsCancelled) {
 
 TEST(RefineCrushed, CostsNothingWhereNothingIsCrushedOrTheMeshIsLarge) {
   const auto splits_of_squeezed = [](int cells, double factor) {
-    const Shape shape = grid({.columns = cells, .rows = cells, .width = 1, .height = 1});
-    Points u = shape.rest;
-    u.row(1) /= factor;
-    OwnWorkspace own = test::workspace_of(MeshPair(shape.triangles, shape.rest, u),
-                                          {{.id = 0, .vertex = 0, .target = u.col(0)}});
+    OwnWorkspace own = test::squeezed_workspace(cells, factor);
     StageRunner<void> runner(refine_crushed(own.work));
     runner.run(1);
     return own.effort.splits;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/mesh/quality.h"
 #include "tests/core/method/foldless/stage_runner.h"
 #include "tests/core/method/foldless/workspaces.h"
@@ -89,6 +91,51 @@ TEST(Settle, AHigherPowerLowersTheLargestDistortion) {
     lower += largest(16) < largest(2);
   }
   EXPECT_GE(lower, 0.75 * kSeeds);
+}
+
+/// What settling ends with.
+struct Settled {
+  double energy, largest;
+};
+
+Settled settled_with(std::uint64_t seed, const SettleSettings& settings) {
+  OwnWorkspace own = arrived_workspace(seed);
+  test::run_to_the_end(settle(own.work, settings));
+  EXPECT_TRUE(test::is_valid(own.work.mesh));
+  return {settled_energy(own.work), shape_of(own.work.mesh).max_conformal_distortion};
+}
+
+TEST(Settle, BelowTheDistortionThatIsEnoughItLowersTheEnergyAlone) {
+  constexpr int kSeeds = 40;
+  int same = 0, dearer = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const double energy = settled_with(seed, {.exponent = 0}).energy;
+    SettleSettings settings{.exponent = 8, .power = 16};
+    dearer += settled_with(seed, settings).energy > 1.01 * energy;
+    settings.enough = 2 * shape_of(arrived_workspace(seed).work.mesh).max_conformal_distortion;
+    same += std::abs(settled_with(seed, settings).energy - energy) <= 1e-3 * energy;
+  }
+  EXPECT_GE(same, 0.9 * kSeeds);
+  EXPECT_GE(dearer, 0.5 * kSeeds) << "the claim would be empty";
+}
+
+TEST(Settle, LowersTheLargestDistortionToWhatIsEnoughForNoMoreEnergyThanItTakes) {
+  constexpr int kSeeds = 60;
+  int could = 0, did = 0, cheaper = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SettleSettings settings{.exponent = 8, .power = 16};
+    const double before = settled_with(seed, {.exponent = 0}).largest;
+    const Settled least = settled_with(seed, settings);
+    if (least.largest > 0.5 * before) continue;
+    settings.enough = 0.4 * before;  // k is half of σ₁/σ₂, or a little more
+    const Settled settled = settled_with(seed, settings);
+    ++could;
+    did += settled.largest <= 0.9 * before;
+    cheaper += settled.energy < least.energy;
+  }
+  EXPECT_GE(could, 10) << "the claim would be empty";
+  EXPECT_GE(did, 0.9 * could);
+  EXPECT_GE(cheaper, 0.9 * could);
 }
 
 TEST(Settle, MovesVerticesOfSplitsAtRestAndNoOthers) {
