@@ -21,6 +21,7 @@
 #include "core/method/foldless/legs.h"
 #include "core/method/foldless/pursue.h"
 #include "core/method/foldless/refine_crushed.h"
+#include "core/method/foldless/refine_distorted.h"
 #include "core/method/foldless/tidy.h"
 #include "core/method/foldless/transport_plans.h"
 #include "core/method/foldless/whitened_problem.h"
@@ -245,6 +246,7 @@ Steps<> Foldless::look_for_better(OtherWays& ways) {
   co_await uncrush(ways);
   if (was_crushed) co_await hop(work_);
   co_await refine_crushed(work_);
+  co_await refine_distorted(work_);
 }
 
 // Where triangles are crushed another way, from rest, may end in a better mesh; the best one stays.

@@ -86,16 +86,40 @@ TEST(HardSuite, ASceneIsTheSameForASeedWhateverElseIsDrawn) {
   }
 }
 
+BenchRow solved(const BenchScene& scene) {
+  BenchJob job{&scene, scene.scene.parameters};
+  job.parameters.method = "foldless";
+  return run_job(job, {});
+}
+
+BenchRow expect_reached_and_not_crushed(const BenchScene& scene) {
+  SCOPED_TRACE(scene.name);
+  BenchRow row = solved(scene);
+  EXPECT_TRUE(row.has_reached());
+  EXPECT_LT(row.max_conformal_distortion, kCrushed);
+  return row;
+}
+
 TEST(HardSuite, HandlesWithoutAVertexBetweenThemCrushNoTriangle) {
-  for (const int i : {23, 58}) {
-    const BenchScene& scene = hard_scenes()[static_cast<std::size_t>(i)];
-    SCOPED_TRACE(scene.name);
-    BenchJob job{&scene, scene.scene.parameters};
-    job.parameters.method = "foldless";
-    const BenchRow row = run_job(job, {});
-    EXPECT_TRUE(row.has_reached());
-    EXPECT_LT(row.max_conformal_distortion, kCrushed);
-  }
+  for (const int i : {23, 58})
+    expect_reached_and_not_crushed(hard_scenes()[static_cast<std::size_t>(i)]);
+}
+
+TEST(HardSuite, NoTriangleIsCrushedInANeckOrWhereLaterPassesFindOthers) {
+  expect_reached_and_not_crushed(hard_scene(1, 124));
+  expect_reached_and_not_crushed(hard_scene(1, 52));
+  expect_reached_and_not_crushed(hard_scene(kHardSeed, 199));
+  // Rounds that do not help leave no vertices.
+  const BenchRow row = expect_reached_and_not_crushed(hard_scene(2, 87));
+  EXPECT_LT(row.vertices_added, row.vertices);
+}
+
+// 6,110 without them.
+TEST(HardSuite, DistortedTrianglesGetVerticesWhereTheEnergyFallsForThem) {
+  const BenchRow row = solved(hard_scene(1, 138));
+  EXPECT_TRUE(row.has_reached());
+  EXPECT_GT(row.vertices_added, 0);
+  EXPECT_LT(row.distortion_energy, 20);
 }
 
 }  // namespace

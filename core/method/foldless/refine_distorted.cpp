@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/refine_distorted.h"
+
+#include <algorithm>
+
+#include "core/method/foldless/candidates.h"
+#include "core/method/foldless/settle.h"
+#include "core/method/foldless/tidy.h"
+
+namespace foldless {
+namespace refining_distorted {
+
+/// Where no σ₁/σ₂ is above this, maps are seldom far from what more vertices would give.
+constexpr double kDistorted = 50;
+/// Of triangles with this part of the largest σ₁/σ₂ and more edges are split,
+constexpr double kPart = 0.1;
+/// but of none below.
+constexpr double kLeast = 30;
+/// New vertices are worth it where E Kᵉ falls to this part.
+constexpr double kWorthIt = 0.95;
+constexpr int kMostRounds = 8;
+/// Rounds end with so many times the vertices.
+constexpr double kMostVertices = 1.5;
+
+}  // namespace refining_distorted
+
+Steps<> refine_distorted(Workspace& work) {
+  using namespace refining_distorted;
+  if (work.mesh.face_count() > kLargestWithCandidates || is_crushed(work.mesh) ||
+      largest_distortion(work.mesh) < kDistorted)
+    co_return;
+  const double most_vertices = kMostVertices * work.mesh.vertex_count();
+  Workspace other = work;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double least = std::max(kPart * largest_distortion(other.mesh), kLeast);
+    if (other.split_distorted(least) == 0 || other.mesh.vertex_count() > most_vertices) break;
+    co_await settle(other);
+    if (is_crushed(other.mesh) || merit_of(other) > kWorthIt * merit_of(work)) break;
+    work = other;
+  }
+  co_yield [&work](Iteration& last) { work.measure_again(last, work.held_energy()); };
+}
+
+}  // namespace foldless

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/method/foldless/refine_distorted.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "core/method/foldless/cut_to_handles.h"
+#include "core/method/foldless/settle.h"
+#include "core/method/foldless/tidy.h"
+#include "tests/core/method/foldless/squeezed_workspace.h"
+#include "tests/core/method/foldless/stage_runner.h"
+#include "tests/core/method/foldless/workspaces.h"
+#include "tests/support/valid_pair.h"
+
+namespace foldless {
+namespace {
+
+using test::OwnWorkspace;
+using test::StageRunner;
+
+/// A class of maps in which triangles end distorted, but seldom crushed.
+constexpr int kDistortedClass = 2;
+
+TEST(RefineDistorted, ShowsNothingButMuchLowerEnergyAndIsValidWhateverIsCancelled) {
+  int cancelled = 0, distorted = 0, better = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = test::held_frame(seed, 4);
+    Workspace& work = own.work;
+    const auto progress =
+        test::run_to_the_end(cut_to_handles(work, KnownBoundary::held, kDistortedClass));
+    if (progress != Progress::arrived) continue;
+    test::run_to_the_end(tidy(work));
+    if (is_crushed(work.mesh) || largest_distortion(work.mesh) < 50) continue;
+    ++distorted;
+    const double begin = merit_of(work), most_vertices = 1.5 * work.mesh.vertex_count();
+    double merit = begin;
+    StageRunner<void> runner(refine_distorted(work));
+    cancelled += test::run_with_cancels(runner, seed, [&](bool) {
+      EXPECT_TRUE(test::is_valid(work.mesh));
+      EXPECT_FALSE(is_crushed(work.mesh));
+      const double before = std::exchange(merit, merit_of(work));
+      EXPECT_TRUE(merit == before || merit <= 0.95 * before) << before << " to " << merit;
+    });
+    better += merit < begin;
+    EXPECT_EQ(work.error(), 0);
+    EXPECT_LE(work.mesh.vertex_count(), most_vertices);
+  }
+  EXPECT_GT(cancelled, 20) << "the claim would be empty";
+  EXPECT_GE(distorted, 8) << "the claim would be empty";
+  EXPECT_GE(2 * better, distorted);
+}
+
+TEST(RefineDistorted, CostsNothingWhereNothingIsDistortedOrIsCrushedOrTheMeshIsLarge) {
+  const auto splits_of_squeezed = [](int cells, double factor) {
+    OwnWorkspace own = test::squeezed_workspace(cells, factor);
+    StageRunner<void> runner(refine_distorted(own.work));
+    runner.run(1);
+    return own.effort.splits;
+  };
+  EXPECT_EQ(splits_of_squeezed(6, 49), 0);
+  EXPECT_GT(splits_of_squeezed(6, 51), 0);
+  EXPECT_EQ(splits_of_squeezed(6, 1010), 0);
+  EXPECT_EQ(splits_of_squeezed(40, 51), 0);
+}
+
+}  // namespace
+}  // namespace foldless
