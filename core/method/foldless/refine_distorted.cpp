@@ -10,7 +10,8 @@
 namespace foldless {
 namespace refining_distorted {
 
-/// Where no σ₁/σ₂ is above this, maps are seldom far from what more vertices would give.
+/// Where no σ₁/σ₂ is above this nothing is refined. A lower bound betters more shapes, for more
+/// vertices.
 constexpr double kDistorted = 50;
 /// Of triangles with this part of the largest σ₁/σ₂ and more edges are split,
 constexpr double kPart = 0.1;

@@ -68,8 +68,8 @@ Steps<> settle(Workspace& work, SettleSettings settings) {
   int failures = 0;
   bool is_plain = false;  // the next step lowers E alone
   for (int step = 1;; ++step) {
-    const double K = enough + conformal_sum(work.mesh, q);
-    weight = is_plain ? 0 : 2.0 / q * settings.exponent * E / K;
+    weight =
+        is_plain ? 0 : 2.0 / q * settings.exponent * E / (enough + conformal_sum(work.mesh, q));
     const VertexUpdate update = co_await vertex_update(next);
     const bool has_failed = update.step_length == 0 && !is_plain;
     if (has_failed) ++failures;

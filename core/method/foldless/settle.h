@@ -21,9 +21,8 @@ struct SettleSettings {
 /// The handles are where they are to stay, eliminated from the unknowns; Newton's method lowers
 /// E Kᵉ, with flips on the way: K = (b + Σ k^q)^(2/q) over the triangles, each counting the same,
 /// where b is `enough` to the power of q, and the exponent ε says what part of E lower distortions
-/// are worth. Small triangles weigh next
-/// to nothing in E, however distorted. Vertices of splits move at rest, too. Ends when neither
-/// moves nor flips gain anything.
+/// are worth. Small triangles weigh next to nothing in E, however distorted. Vertices of splits
+/// move at rest, too. Ends when neither moves nor flips gain anything.
 Steps<> settle(Workspace& work, SettleSettings settings = {});
 
 /// E of the scene with the handles held.

@@ -5,10 +5,9 @@
 
 #include <utility>
 
-#include "core/method/foldless/cut_to_handles.h"
 #include "core/method/foldless/settle.h"
 #include "core/method/foldless/tidy.h"
-#include "tests/core/method/foldless/squeezed_workspace.h"
+#include "tests/core/method/foldless/refine_workspaces.h"
 #include "tests/core/method/foldless/stage_runner.h"
 #include "tests/core/method/foldless/workspaces.h"
 #include "tests/support/valid_pair.h"
@@ -19,19 +18,13 @@ namespace {
 using test::OwnWorkspace;
 using test::StageRunner;
 
-/// A class of maps in which triangles end distorted, but seldom crushed.
-constexpr int kDistortedClass = 2;
-
 TEST(RefineDistorted, ShowsNothingButMuchLowerEnergyAndIsValidWhateverIsCancelled) {
   int cancelled = 0, distorted = 0, better = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     OwnWorkspace own = test::held_frame(seed, 4);
     Workspace& work = own.work;
-    const auto progress =
-        test::run_to_the_end(cut_to_handles(work, KnownBoundary::held, kDistortedClass));
-    if (progress != Progress::arrived) continue;
-    test::run_to_the_end(tidy(work));
+    if (!test::arrive_distorted(work)) continue;
     if (is_crushed(work.mesh) || largest_distortion(work.mesh) < 50) continue;
     ++distorted;
     const double begin = merit_of(work), most_vertices = 1.5 * work.mesh.vertex_count();

@@ -2,9 +2,22 @@
 #pragma once
 
 #include "core/mesh/generate.h"
+#include "core/method/foldless/cut_to_handles.h"
+#include "core/method/foldless/tidy.h"
+#include "tests/core/method/foldless/stage_runner.h"
 #include "tests/core/method/foldless/workspaces.h"
 
 namespace foldless::test {
+
+/// Brings the handles inside of a held boundary to their targets, in a class of maps with distorted
+/// and crushed triangles, and tidies. False where that fails.
+inline bool arrive_distorted(Workspace& work) {
+  constexpr int kSlits = 2;
+  if (run_to_the_end(cut_to_handles(work, KnownBoundary::held, kSlits)) != Progress::arrived)
+    return false;
+  run_to_the_end(tidy(work));
+  return true;
+}
 
 /// A square that is `factor` times as wide as high.
 inline OwnWorkspace squeezed_workspace(int cells, double factor) {
