@@ -126,7 +126,8 @@ class EditorMotionOfATurn : public EditorMotion {
  protected:
   void turn_the_middle_once_in_a_loop() {
     const int middle = place(40);
-    settle();
+    solve_all();
+    editor_->draft().take_over_look_back();  // as every edit of handles does
     Document document = editor_->document();
     std::ranges::find(document.handles, middle, &Handle::id)->turn = Turn{0, 1.5};
     HandleTracks tracks;
