@@ -8,12 +8,15 @@
 namespace foldless {
 namespace {
 
-bool is_positive_at_rest(const MeshPair& mesh, const Eigen::Vector3i& t, double area) {
+double longest_edge_squared(const MeshPair& mesh, const Eigen::Vector3i& t) {
   const Corners rest = corners_of(mesh.rest(), t);
-  const double longest = std::max({(rest.col(1) - rest.col(0)).squaredNorm(),
-                                   (rest.col(2) - rest.col(1)).squaredNorm(),
-                                   (rest.col(0) - rest.col(2)).squaredNorm()});
-  return 2 * area > kLeastRelativeHeight * longest;
+  return std::max({(rest.col(1) - rest.col(0)).squaredNorm(),
+                   (rest.col(2) - rest.col(1)).squaredNorm(),
+                   (rest.col(0) - rest.col(2)).squaredNorm()});
+}
+
+bool is_positive_at_rest(const MeshPair& mesh, const Eigen::Vector3i& t, double area) {
+  return 2 * area > kLeastRelativeHeight * longest_edge_squared(mesh, t);
 }
 
 }  // namespace
@@ -26,6 +29,10 @@ TrianglePair triangles_of(const Diamond& diamond) {
 TrianglePair flipped_triangles_of(const Diamond& diamond) {
   const auto& [a, b, c, d, left, right] = diamond;
   return {Eigen::Vector3i(a, d, c), Eigen::Vector3i(d, b, c)};
+}
+
+double relative_height_at_rest(const MeshPair& mesh, const Eigen::Vector3i& triangle) {
+  return 2 * signed_area(mesh.rest(), triangle) / longest_edge_squared(mesh, triangle);
 }
 
 bool is_positive_at_rest(const MeshPair& mesh, std::span<const Eigen::Vector3i> triangles) {

@@ -17,7 +17,10 @@ TrianglePair triangles_of(const Diamond& diamond);
 /// (a, d, c) and (d, b, c): Ψ̄_ab, the tessellation with e_ab flipped into e_cd.
 TrianglePair flipped_triangles_of(const Diamond& diamond);
 
-/// Height of a rest triangle over its longest edge: below it its corners count as collinear.
+/// Height of a rest triangle over its longest edge, in lengths of that.
+double relative_height_at_rest(const MeshPair& mesh, const Eigen::Vector3i& triangle);
+
+/// Below this relative height the corners of a rest triangle count as collinear.
 inline constexpr double kLeastRelativeHeight = 1e-6;
 
 /// True when the triangles are positive in M, and none of collinear corners.

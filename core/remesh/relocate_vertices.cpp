@@ -14,13 +14,16 @@ namespace {
 
 constexpr int kMostSweeps = 20;
 /// Of the curvature along each coordinate, added to it: there is next to none along a move of both
-/// meshes that leaves the map as it is.
-constexpr double kDamping = 1e-3;
+/// meshes that leaves the map as it is. More of it where that leads too far.
+constexpr double kLeastDamping = 1e-3, kMoreDamping = 8, kMostDamping = 1e4;
 /// Of the way to where a triangle is used up.
 constexpr double kPartOfTheWay = 0.8;
 /// A step has to bring this part of what the slope promises.
 constexpr double kPartOfTheSlope = 1e-4;
-constexpr int kMostHalvings = 8;
+/// No triangle at rest becomes flatter than this, or than the flattest round the vertex was. The
+/// map does not care, but a finer mesh cannot take over what is next to degenerate, nor does
+/// anybody want to work with it. [relative height]
+constexpr double kLeastHeight = 1e-3;
 
 /// Triangles round a vertex, which is their corner 0.
 using Star = std::vector<Eigen::Vector3i>;
@@ -57,22 +60,38 @@ double way_to_first_used_up(const Points& points, const Star& star, const Vec2& 
   return first;
 }
 
+/// Below which no triangle of the star may fall.
+double least_height(const MeshPair& mesh, const Star& star) {
+  double least = kLeastHeight;
+  for (const Eigen::Vector3i& t : star) least = std::min(least, relative_height_at_rest(mesh, t));
+  return least;
+}
+
+bool is_proved_feasible(const MeshPair& mesh, const Star& star, double delta, double least_height) {
+  return foldless::is_proved_feasible(mesh, star, delta) &&
+         std::ranges::all_of(star, [&](const Eigen::Vector3i& t) {
+           return relative_height_at_rest(mesh, t) >= least_height;
+         });
+}
+
 /// Returns by how much the energy fell.
 double relocate(MeshPair& mesh, int v, const EnergySettings& energy) {
   const Star star = star_of(mesh, v);
   const MovedCorner at = moved_vertex(mesh, star, energy);
-  Eigen::Matrix4d damped = at.hessian;
-  damped.diagonal() *= 1 + kDamping;
-  const Eigen::Vector4d move = -damped.ldlt().solve(at.gradient);
-  const double slope = at.gradient.dot(move);
-  if (!(slope < 0)) return 0;
   const Vec2 rest = mesh.rest().col(v), deformed = mesh.deformed().col(v);
-  const double way = std::min(way_to_first_used_up(mesh.rest(), star, move.head<2>()),
-                              way_to_first_used_up(mesh.deformed(), star, move.tail<2>()));
-  double step = std::min(1.0, kPartOfTheWay * way);
-  for (int i = 0; i < kMostHalvings; ++i, step *= 0.5) {
+  const double height = least_height(mesh, star);
+  for (double damping = kLeastDamping; damping < kMostDamping; damping *= kMoreDamping) {
+    Eigen::Matrix4d damped = at.hessian;
+    damped.diagonal() *= 1 + damping;
+    const Eigen::Vector4d move = -damped.ldlt().solve(at.gradient);
+    const double slope = at.gradient.dot(move);
+    if (!(slope < 0)) break;
+    mesh.move_vertex(v, rest, deformed);
+    const double way = std::min(way_to_first_used_up(mesh.rest(), star, move.head<2>()),
+                                way_to_first_used_up(mesh.deformed(), star, move.tail<2>()));
+    const double step = std::min(1.0, kPartOfTheWay * way);
     mesh.move_vertex(v, rest + step * move.head<2>(), deformed + step * move.tail<2>());
-    if (!is_proved_feasible(mesh, star, energy.delta)) continue;
+    if (!is_proved_feasible(mesh, star, energy.delta, height)) continue;
     const double fall = at.energy - energy_of(mesh, star, energy);
     if (fall >= -kPartOfTheSlope * step * slope) return fall;
   }

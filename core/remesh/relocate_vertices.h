@@ -20,9 +20,10 @@ struct RelocateSettings {
 /// be the middle for ever (r-adaption [TO04]). Vertices of the boundary stay, and so do outline and
 /// connectivity. So does local injectivity: the areas of the triangles round a vertex are linear
 /// along its step, which ends before one is used up; in the end they are proved to be positive in
-/// both meshes by exact predicates, and the angles of boundary vertices do not change. Returns by
-/// how much distortion and barrier fell; 0 when nothing moved. Where a stop is requested it ends
-/// after the vertex at hand.
+/// both meshes by exact predicates, and the angles of boundary vertices do not change. Nor does a
+/// triangle at rest become flatter than a thousandth of its longest edge. Returns by how much
+/// distortion and barrier fell; 0 when nothing moved. Where a stop is requested it ends after the
+/// vertex at hand.
 double relocate_vertices(MeshPair& mesh, const RelocateSettings& settings,
                          const std::stop_token& token = {});
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/remesh/split_distorted.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "core/mesh/quality.h"
 
@@ -34,13 +38,27 @@ std::optional<Edge> edge_to_split(const MeshPair& mesh, int triangle,
   return longest;
 }
 
+/// Most distorted first.
+std::vector<int> distorted_triangles(const MeshPair& mesh, double least) {
+  std::vector<std::pair<double, int>> distorted;
+  for (int t = 0; t < mesh.face_count(); ++t) {
+    const Eigen::Vector3i corners = mesh.triangles().col(t);
+    const double distortion = foldless::conformal_distortion(mesh.rest(), mesh.deformed(), corners);
+    if (distortion >= least) distorted.emplace_back(-distortion, t);
+  }
+  std::ranges::sort(distorted);
+  std::vector<int> triangles;
+  triangles.reserve(distorted.size());
+  for (const auto& [negative, t] : distorted) triangles.push_back(t);
+  return triangles;
+}
+
 }  // namespace
 
 int split_distorted(MeshPair& mesh, double least, const SplitSettings& settings) {
   std::set<Edge> edges;
-  for (int t = 0; t < mesh.face_count(); ++t) {
-    const Eigen::Vector3i corners = mesh.triangles().col(t);
-    if (conformal_distortion(mesh.rest(), mesh.deformed(), corners) < least) continue;
+  for (const int t : distorted_triangles(mesh, least)) {
+    if (std::ssize(edges) >= settings.most_splits) break;
     if (const auto edge = edge_to_split(mesh, t, settings)) edges.insert(*edge);
   }
   int splits = 0;

@@ -187,6 +187,7 @@ Steps<> Foldless::coarse_to_fine() {
   co_await vertex_update(coarsen);
   if (!coarse) co_return;
   Foldless run(coarse->problem, dense_);
+  run.is_coarse_ = true;
   co_await run_inside(run, Phase::coarse, effort());
   if (run.outcome() != Outcome::gradient) co_return;
   std::optional<ProlongedMesh> fine;
@@ -236,17 +237,21 @@ Steps<Progress> Foldless::split_and_approach(FactorUse use) {
   co_return Progress::locked;
 }
 
-// Other ways from rest lead farther from a crushed mesh than hops, so they come first there. Not
-// of a mesh that goes on from another, which is the next picture of a film: it would jump.
+// Not of a mesh that goes on from another, which is the next picture of a film: it would jump. The
+// other maps of a coarse mesh are hardly ever those that the fine one ends in.
 Steps<> Foldless::look_for_better(OtherWays& ways) {
-  if (problem_.mesh.face_count() > kLargestWithCandidates) co_return;
+  if (!is_coarse_) co_await try_other_maps(ways);
+  co_await refine_crushed(work_);
+  co_await refine_distorted(work_);
+}
+
+// Other ways from rest lead farther from a crushed mesh than hops, so they come first there.
+Steps<> Foldless::try_other_maps(OtherWays& ways) {
   const bool was_crushed = is_crushed(work_.mesh);
   if (!was_crushed) co_await hop(work_);
   co_await try_candidates(work_, problem_.mesh);
   co_await uncrush(ways);
   if (was_crushed) co_await hop(work_);
-  co_await refine_crushed(work_);
-  co_await refine_distorted(work_);
 }
 
 // Where triangles are crushed another way, from rest, may end in a better mesh; the best one stays.

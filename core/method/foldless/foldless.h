@@ -52,6 +52,7 @@ class Foldless final : public SteppedMethod {
   Steps<Progress> split_and_approach(FactorUse use);
   Steps<> forget_the_way();
   Steps<> look_for_better(OtherWays& ways);
+  Steps<> try_other_maps(OtherWays& ways);
   Steps<> uncrush(OtherWays& ways);
   bool split_at_handles();
   bool is_proved_infeasible();
@@ -59,6 +60,7 @@ class Foldless final : public SteppedMethod {
 
   const Problem problem_;
   const CoarseSettings dense_;
+  bool is_coarse_ = false;  ///< A finer mesh takes the map over.
   RunSettings settings_;
   Workspace work_;
   std::vector<PrescribedRegion> regions_;

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 
-#include "core/method/foldless/candidates.h"
 #include "core/method/foldless/settle.h"
 #include "core/method/foldless/tidy.h"
 
 namespace foldless {
 namespace refining_distorted {
 
+/// Triangles; larger meshes mostly have a coarse one, which is refined.
+constexpr int kLargest = 4000;
 /// Where no σ₁/σ₂ is above this nothing is refined. A lower bound betters more shapes, for more
 /// vertices.
 constexpr double kDistorted = 50;
@@ -27,14 +28,15 @@ constexpr double kMostVertices = 1.5;
 
 Steps<> refine_distorted(Workspace& work) {
   using namespace refining_distorted;
-  if (work.mesh.face_count() > kLargestWithCandidates || is_crushed(work.mesh) ||
+  if (work.mesh.face_count() > kLargest || is_crushed(work.mesh) ||
       largest_distortion(work.mesh) < kDistorted)
     co_return;
-  const double most_vertices = kMostVertices * work.mesh.vertex_count();
+  const auto most_vertices = static_cast<int>(kMostVertices * work.mesh.vertex_count());
   Workspace other = work;
   for (int round = 0; round < kMostRounds; ++round) {
     const double least = std::max(kPart * largest_distortion(other.mesh), kLeast);
-    if (other.split_distorted(least) == 0 || other.mesh.vertex_count() > most_vertices) break;
+    const int room = most_vertices - other.mesh.vertex_count();
+    if (other.split_distorted(least, room) == 0) break;
     co_await settle(other);
     if (is_crushed(other.mesh) || merit_of(other) > kWorthIt * merit_of(work)) break;
     work = other;

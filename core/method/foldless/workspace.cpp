@@ -69,8 +69,10 @@ void Workspace::refine() {
   system.rebuild(mesh, constraints, mesh.edge_count());
 }
 
-int Workspace::split_distorted(double least) {
-  const int split = foldless::split_distorted(mesh, least, workspace::split_settings(*settings));
+int Workspace::split_distorted(double least, int most) {
+  SplitSettings split_settings = workspace::split_settings(*settings);
+  split_settings.most_splits = most;
+  const int split = foldless::split_distorted(mesh, least, split_settings);
   if (split > 0) system.rebuild(mesh, constraints, split);
   system.effort().splits += split;
   return split;

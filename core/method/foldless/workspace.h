@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <stop_token>
 #include <vector>
 
@@ -61,9 +62,9 @@ struct Workspace {
   int split_edges(const std::vector<MovingDirection>& directions);
   /// Splits every edge in its middle.
   void refine();
-  /// Splits edges of the triangles whose σ₁/σ₂ is `least` or more; returns how many. See
-  /// split_distorted() of core/remesh.
-  int split_distorted(double least);
+  /// Splits edges of the triangles whose σ₁/σ₂ is `least` or more, at most so many; returns how
+  /// many. See split_distorted() of core/remesh.
+  int split_distorted(double least, int most = std::numeric_limits<int>::max());
   /// Returns how many vertices were removed; see collapse_edges() of core/remesh.
   int collapse_edges(const CollapseSettings& collapse);
   bool has_vertices_of_splits() const { return mesh.vertex_count() > settings->first_removable; }

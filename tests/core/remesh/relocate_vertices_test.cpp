@@ -50,6 +50,28 @@ TEST(RelocateVertices, LowersTheEnergyByWhatItSaysAndKeepsEveryMapValid) {
   EXPECT_GT(moved, 30) << "the claim would be empty";
 }
 
+double least_relative_height(const MeshPair& mesh) {
+  double least = 1;
+  for (const Eigen::Vector3i& t : mesh.triangles().colwise())
+    least = std::min(least, relative_height_at_rest(mesh, t));
+  return least;
+}
+
+TEST(RelocateVertices, MakesNoTriangleNextToDegenerateAtRest) {
+  int asked = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const test::OwnWorkspace own = test::arrived_workspace(seed, 12);
+    MeshPair mesh = own.work.mesh;
+    const double before = least_relative_height(mesh);
+    const double fall =
+        relocate_vertices(mesh, {own.work.held_energy().settings, own.settings.first_removable});
+    EXPECT_GE(least_relative_height(mesh), std::min(before, 1e-3));
+    asked += fall > 0 && before > 1e-2;
+  }
+  EXPECT_GT(asked, 20) << "the claim would be empty";
+}
+
 TEST(RelocateVertices, LeavesOriginalVerticesAndThoseOfTheBoundaryWhereTheyAre) {
   int inside = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

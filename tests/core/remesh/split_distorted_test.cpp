@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -58,6 +61,24 @@ TEST(SplitDistorted, SplitsOneEdgeOfEveryDistortedTriangleAndDoesNotChangeTheMap
     for (int t = 0; t < before.face_count(); ++t) {
       const bool was_split = before.triangles().col(t) != mesh.triangles().col(t);
       EXPECT_TRUE(was_split || distortion(before, t) < least) << t;
+    }
+  }
+}
+
+TEST(SplitDistorted, TakesTheMostDistortedWhereThereIsRoomForFew) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const MeshPair before = shaken_grid(seed);
+    std::vector<int> triangles(static_cast<std::size_t>(before.face_count()));
+    std::iota(triangles.begin(), triangles.end(), 0);
+    std::ranges::sort(triangles, std::greater(), [&](int t) { return distortion(before, t); });
+    for (const int most : {0, 1, 5}) {
+      MeshPair mesh = before;
+      EXPECT_EQ(split_distorted(mesh, 1, {.most_splits = most}), most);
+      for (int i = 0; i < most; ++i) {
+        const int t = triangles[static_cast<std::size_t>(i)];
+        EXPECT_NE(before.triangles().col(t), mesh.triangles().col(t)) << i;
+      }
     }
   }
 }

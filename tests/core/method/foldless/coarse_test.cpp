@@ -74,6 +74,22 @@ TEST(Coarse, ATwistWithAHeldBoundaryEndsOnTarget) {
   expect_on_target(method, problem);
 }
 
+TEST(Coarse, TheCoarseRunTriesNoOtherMaps) {
+  const Problem problem = test::turned_disk(
+      {.disk = {.rings = 15, .boundary_vertices = 90, .vertices = 750, .radius = 0.35},
+       .ring = 7,
+       .degrees = 185});
+  Foldless method(problem, kSmall), alone(coarse_problem(problem, kSmall)->problem, kSmall);
+  const std::vector<Iteration> course = run_validly(method), of_coarse = run_validly(alone);
+  const auto last =
+      std::ranges::find(course.rbegin(), course.rend(), Phase::coarse, &Iteration::phase);
+  ASSERT_NE(last, course.rend());
+  EXPECT_LT(last->factorizations, of_coarse.back().factorizations);
+  ASSERT_NE(last.base(), course.end());
+  EXPECT_EQ(last.base()->phase, Phase::settle) << "the fine mesh takes its map over";
+  expect_on_target(method, problem);
+}
+
 TEST(Coarse, ADenseMeshIsSolvedWhole) {
   const Problem problem = bent_grid(180, 45);
   ASSERT_GE(problem.mesh.vertex_count(), CoarseSettings().dense_from);

@@ -20,7 +20,7 @@ using test::OwnWorkspace;
 using test::StageRunner;
 
 TEST(RefineCrushed, GivesRoomBetweenHandlesAndShowsNothingWorseWhateverIsCancelled) {
-  int cancelled = 0, crushed = 0, uncrushed = 0;
+  int cancelled = 0, crushed = 0, uncrushed = 0, vertices = 0;
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     OwnWorkspace own = test::held_frame(seed, 16);
@@ -36,6 +36,7 @@ TEST(RefineCrushed, GivesRoomBetweenHandlesAndShowsNothingWorseWhateverIsCancell
       EXPECT_LE(distortion, before);
     });
     ++crushed;
+    vertices += work.mesh.vertex_count();
     if (!is_crushed(work.mesh)) ++uncrushed;
     EXPECT_EQ(work.error(), 0);
     EXPECT_LE(settled_energy(work), 10 * energy);
@@ -43,6 +44,7 @@ TEST(RefineCrushed, GivesRoomBetweenHandlesAndShowsNothingWorseWhateverIsCancell
   EXPECT_GT(cancelled, 20) << "the claim would be empty";
   EXPECT_GE(crushed, 6) << "the claim would be empty";
   EXPECT_GE(3 * uncrushed, 2 * crushed);
+  EXPECT_LT(vertices, 235 * crushed) << "rounds that do not help leave no vertices";
 }
 
 TEST(RefineCrushed, CostsNothingWhereNothingIsCrushedOrTheMeshIsLarge) {
