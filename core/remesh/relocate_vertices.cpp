@@ -60,17 +60,17 @@ double way_to_first_used_up(const Points& points, const Star& star, const Vec2& 
   return first;
 }
 
-/// Below which no triangle of the star may fall.
-double least_height(const MeshPair& mesh, const Star& star) {
+/// Relative height at rest below which no triangle of the star may fall.
+double height_to_keep(const MeshPair& mesh, const Star& star) {
   double least = kLeastHeight;
   for (const Eigen::Vector3i& t : star) least = std::min(least, relative_height_at_rest(mesh, t));
   return least;
 }
 
-bool is_proved_feasible(const MeshPair& mesh, const Star& star, double delta, double least_height) {
+bool is_proved_feasible(const MeshPair& mesh, const Star& star, double delta, double height) {
   return foldless::is_proved_feasible(mesh, star, delta) &&
          std::ranges::all_of(star, [&](const Eigen::Vector3i& t) {
-           return relative_height_at_rest(mesh, t) >= least_height;
+           return relative_height_at_rest(mesh, t) >= height;
          });
 }
 
@@ -79,7 +79,7 @@ double relocate(MeshPair& mesh, int v, const EnergySettings& energy) {
   const Star star = star_of(mesh, v);
   const MovedCorner at = moved_vertex(mesh, star, energy);
   const Vec2 rest = mesh.rest().col(v), deformed = mesh.deformed().col(v);
-  const double height = least_height(mesh, star);
+  const double height = height_to_keep(mesh, star);
   for (double damping = kLeastDamping; damping < kMostDamping; damping *= kMoreDamping) {
     Eigen::Matrix4d damped = at.hessian;
     damped.diagonal() *= 1 + damping;

@@ -60,7 +60,7 @@ class Foldless final : public SteppedMethod {
 
   const Problem problem_;
   const CoarseSettings dense_;
-  bool is_coarse_ = false;  ///< A finer mesh takes the map over.
+  bool is_coarse_ = false;  ///< a finer mesh takes the map over
   RunSettings settings_;
   Workspace work_;
   std::vector<PrescribedRegion> regions_;
