@@ -23,6 +23,12 @@ struct VectorOf<4> {
   using Bits [[gnu::vector_size(32)]] = std::int64_t;
 };
 
+template <>
+struct VectorOf<8> {
+  using Numbers [[gnu::vector_size(64)]] = double;
+  using Bits [[gnu::vector_size(64)]] = std::int64_t;
+};
+
 /// As many numbers, each of another triangle, on which every operation is done at once. What is
 /// written for a `Real` is meant for one double or for lanes; a lane has the bits of that one
 /// double, as nothing is contracted or reordered.

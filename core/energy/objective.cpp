@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/energy/node_blocks.h"
 #include "core/energy/quadratic.h"
 #include "core/large_pages.h"
 
@@ -13,9 +14,18 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Smallest positive root of c + b t + a t², or infinity; 0 where c is not positive.
-double smallest_positive_root(double a, double b, double c) {
+/// Whether c + b t + a t² is positive for all 0 ≤ t ≤ bound, told without a root; where that is
+/// close, or the bound infinite, it may be so all the same.
+bool is_clearly_positive(double a, double b, double c, double bound) {
+  constexpr double kClear = 1e-9;
+  return c * (1 - kClear) + bound * (std::min(b, 0.0) + bound * std::min(a, 0.0)) > 0;
+}
+
+/// Smallest positive root of c + b t + a t², or infinity, as for one beyond `bound`; 0 where c is
+/// not positive.
+double smallest_positive_root(double a, double b, double c, double bound) {
   if (!(c > 0)) return 0;
+  if (is_clearly_positive(a, b, c, bound)) return kInfinity;
   double root = kInfinity;
   for (const double t : roots(a, b, c))
     if (t > 0) root = std::min(root, t);  // NaN falls through
@@ -128,10 +138,10 @@ void Objective::add_columns(const BlocksOf<double>& blocks, const Corner& of,
                             const Constraints& constraints, SparseSymmetric& hessian) const {
   const int j = node_of(triangles_(of.corner, of.triangle), constraints);
   if (j < 0) return;
-  const Eigen::Matrix<double, 6, 2> columns = columns_of_corner(blocks, of.corner);
+  add_diagonal_block(block_of_corners(blocks, of.corner, of.corner), j, hessian);
   for (int other = 0; other < 3; ++other) {
     const int i = node_of(triangles_(other, of.triangle), constraints);
-    if (i >= j) add_block(hessian, i, j, columns.middleRows<2>(2 * other));
+    if (i > j) add_later_block(block_of_corners(blocks, other, of.corner), i, j, hessian);
   }
 }
 
@@ -188,29 +198,32 @@ SparseSymmetric Objective::hessian_pattern() const {
   return sparse_symmetric(static_cast<int>(has_hard_handle_.size()), edges);
 }
 
-double Objective::largest_step_of(Eigen::Index t, const EnergySettings& settings, const Points& u,
-                                  const Points& step) const {
-  const Corners x = corners_of(u, triangles_.col(t));
-  const Corners s = corners_of(step, triangles_.col(t));
+double Objective::largest_step_of(Eigen::Index t, const EnergySettings& settings,
+                                  const Segment& segment) const {
+  const Corners x = corners_of(segment.u, triangles_.col(t));
+  const Corners s = corners_of(segment.step, triangles_.col(t));
   const Vec2 x1 = x.col(1) - x.col(0), x2 = x.col(2) - x.col(0);
   const Vec2 s1 = s.col(1) - s.col(0), s2 = s.col(2) - s.col(0);
   // 2(A′ − δA) along the line is a quadratic in t.
   const double floor = 2 * settings.delta * rest_[static_cast<std::size_t>(t)].area;
-  return smallest_positive_root(cross(s1, s2), cross(x1, s2) + cross(s1, x2),
-                                cross(x1, x2) - floor);
+  return smallest_positive_root(cross(s1, s2), cross(x1, s2) + cross(s1, x2), cross(x1, x2) - floor,
+                                segment.bound);
 }
 
 double Objective::largest_step(const EnergySettings& settings, const Points& u,
                                const Points& step) const {
-  const auto bound_of = [&](Eigen::Index t) { return largest_step_of(t, settings, u, step); };
+  const auto bound_of = [&](Eigen::Index t, double least) {
+    return largest_step_of(t, settings, {u, step, least});
+  };
   const double of_gaps = settings.guards_boundary() ? guard_.largest_step(u, step) : kInfinity;
   return std::min(of_gaps, least_of_triangles(triangles_.cols(), bound_of));
 }
 
 std::vector<int> Objective::triangles_in_way(const EnergySettings& settings, const Points& u,
                                              const Points& step, double bound) const {
-  return triangles_where(triangles_.cols(),
-                         [&](int t) { return largest_step_of(t, settings, u, step) < bound; });
+  return triangles_where(triangles_.cols(), [&](int t) {
+    return largest_step_of(t, settings, {u, step, bound}) < bound;
+  });
 }
 
 bool Objective::is_feasible(const EnergySettings& settings, const Points& u,

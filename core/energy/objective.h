@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "core/energy/boundary_guard.h"
@@ -27,9 +28,14 @@ struct EnergyTerms {
   double penalty = 0;     ///< α E_c
   double barrier = 0;     ///< β E_b and that of the gaps, infinite outside the feasible set
   double total() const { return distortion + penalty + barrier; }
-  void add(const ElementEnergy& element) {
-    distortion += element.distortion;
-    barrier += element.barrier;
+  void add(std::span<const ElementEnergy> elements) {
+    double of_distortion = distortion, of_barrier = barrier;  // in registers meanwhile
+    for (const ElementEnergy& element : elements) {
+      of_distortion += element.distortion;
+      of_barrier += element.barrier;
+    }
+    distortion = of_distortion;
+    barrier = of_barrier;
   }
 };
 
@@ -91,9 +97,15 @@ class Objective {
   RestElement reference(const EnergySettings& settings, Eigen::Index t) const {
     return reference_element(settings, rest_[static_cast<std::size_t>(t)]);
   }
-  /// The largest step of one triangle.
-  double largest_step_of(Eigen::Index t, const EnergySettings& settings, const Points& u,
-                         const Points& step) const;
+  /// u + t step for 0 ≤ t ≤ bound.
+  struct Segment {
+    const Points& u;
+    const Points& step;
+    double bound;
+  };
+  /// The largest step of one triangle; infinite where it is beyond the segment.
+  double largest_step_of(Eigen::Index t, const EnergySettings& settings,
+                         const Segment& segment) const;
   ElementBatch batch_of(const Energy& energy, const Points& u, double clamping = 0) const {
     return {energy.settings, triangles_, rest_, u, clamping};
   }

@@ -26,14 +26,15 @@ void for_triangles(std::ptrdiff_t count, const Visit& visit) {
   each_in_ranges(count, kTrianglesTogether, visit);
 }
 
-/// The least of bound(t) over all triangles; infinite where there is none.
+/// The least of bound(t, least) over all triangles, `least` that of some of the others; infinite
+/// where there is none.
 template <class Bound>
 double least_of_triangles(std::ptrdiff_t count, const Bound& bound) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::atomic<double> least = kInfinity;
   in_ranges(count, kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     double own = kInfinity;
-    for (std::ptrdiff_t t = begin; t < end; ++t) own = std::min(own, bound(t));
+    for (std::ptrdiff_t t = begin; t < end; ++t) own = std::min(own, bound(t, own));
     double known = least.load(std::memory_order_relaxed);
     while (own < known && !least.compare_exchange_weak(known, own, std::memory_order_relaxed)) {
     }

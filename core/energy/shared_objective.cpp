@@ -35,7 +35,7 @@ void Objective::sum_shared(const ElementBatch& batch, EnergyTerms& sum) const {
   in_ranges(triangles_.cols(), kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.energies(batch, begin, end, {energies + begin, nullptr, nullptr});
   });
-  for (const ElementEnergy& element : std::span(energies, rest_.size())) sum.add(element);
+  sum.add({energies, rest_.size()});
 }
 
 void Objective::sum_shared(const ElementBatch& batch, EnergyGradient& sum) const {
@@ -45,7 +45,7 @@ void Objective::sum_shared(const ElementBatch& batch, EnergyGradient& sum) const
   in_ranges(triangles_.cols(), kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.gradients(batch, begin, end, {energies + begin, gradients + begin, nullptr});
   });
-  for (const ElementEnergy& element : std::span(energies, rest_.size())) sum.energy.add(element);
+  sum.energy.add({energies, rest_.size()});
   for_vertices(corners_.vertices(), [&](std::ptrdiff_t v) {
     for (const auto& [triangle, corner] : corners_.of(v))
       sum.gradient.segment<2>(2 * v) += gradient_of_corner(gradients[triangle], corner);
@@ -61,7 +61,7 @@ void Objective::sum_shared(const ElementBatch& batch, const Constraints& constra
   in_ranges(triangles_.cols(), kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.hessians(batch, begin, end, {energies + begin, gradients + begin, hessians + begin});
   });
-  for (const ElementEnergy& element : std::span(energies, rest_.size())) sum.energy.add(element);
+  sum.energy.add({energies, rest_.size()});
   for_vertices(corners_.vertices(), [&](std::ptrdiff_t v) {
     clear_columns(hessian, v);
     for (const auto& [triangle, corner] : corners_.of(v)) {

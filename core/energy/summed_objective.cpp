@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
+#include "core/energy/node_blocks.h"
 #include "core/energy/objective.h"
 
 namespace foldless {
@@ -34,6 +36,24 @@ void for_places(std::ptrdiff_t begin, std::ptrdiff_t end, const Visit& visit) {
   for (std::ptrdiff_t t = begin; t < end; ++t) visit(t, static_cast<std::size_t>(t - begin));
 }
 
+/// All blocks of a triangle whose corners are those nodes, −1 for none.
+void add_triangle(const BlocksOf<double>& blocks, const std::array<int, 3>& nodes,
+                  SparseSymmetric& hessian) {
+  for (int column = 0; column < 3; ++column) {
+    const int j = nodes[static_cast<std::size_t>(column)];
+    if (j < 0) continue;
+    add_diagonal_block(block_of_corners(blocks, column, column), j, hessian);
+    for (int row = 0; row < column; ++row) {
+      const int i = nodes[static_cast<std::size_t>(row)];
+      if (i < 0) continue;
+      if (i > j)
+        add_later_block(block_of_corners(blocks, row, column), i, j, hessian);
+      else
+        add_later_block(block_of_corners(blocks, column, row), j, i, hessian);
+    }
+  }
+}
+
 }  // namespace
 
 void Objective::sum_elements(const ElementBatch& batch, EnergyTerms& sum) const {
@@ -42,7 +62,7 @@ void Objective::sum_elements(const ElementBatch& batch, EnergyTerms& sum) const 
   for_few(triangles_.cols(), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     if (std::isinf(sum.barrier)) return;
     loops.energies(batch, begin, end, {energies.data(), nullptr, nullptr});
-    for_places(begin, end, [&](std::ptrdiff_t, std::size_t place) { sum.add(energies[place]); });
+    sum.add(std::span(energies).first(static_cast<std::size_t>(end - begin)));
   });
 }
 
@@ -51,8 +71,8 @@ void Objective::sum_elements(const ElementBatch& batch, EnergyGradient& sum) con
   Room room;
   for_few(triangles_.cols(), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.gradients(batch, begin, end, room.results());
+    sum.energy.add(std::span(room.energies).first(static_cast<std::size_t>(end - begin)));
     for_places(begin, end, [&](std::ptrdiff_t t, std::size_t place) {
-      sum.energy.add(room.energies[place]);
       for (int corner = 0; corner < 3; ++corner)
         sum.gradient.segment<2>(2 * triangles_(corner, t)) +=
             gradient_of_corner(room.gradients[place], corner);
@@ -67,13 +87,15 @@ void Objective::sum_elements(const ElementBatch& batch, const Constraints& const
   Room room;
   for_few(triangles_.cols(), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.hessians(batch, begin, end, room.results());
+    sum.energy.add(std::span(room.energies).first(static_cast<std::size_t>(end - begin)));
     for_places(begin, end, [&](std::ptrdiff_t t, std::size_t place) {
-      sum.energy.add(room.energies[place]);
+      std::array<int, 3> nodes;
       for (int corner = 0; corner < 3; ++corner) {
         const int v = triangles_(corner, t);
         sum.gradient.segment<2>(2 * v) += gradient_of_corner(room.gradients[place], corner);
-        add_columns(room.hessians[place], {t, corner}, constraints, hessian);
+        nodes[static_cast<std::size_t>(corner)] = node_of(v, constraints);
       }
+      add_triangle(room.hessians[place], nodes, hessian);
     });
   });
 }

@@ -23,7 +23,9 @@ void make_graph(SparseSymmetric& m, const std::vector<std::pair<int, int>>& edge
         std::max(a, b);
 
   m.graph_start.assign(1, 0);
+  m.graph_start.reserve(start.size());
   m.graph.clear();
+  m.graph.reserve(edges.size());
   for (int j = 0; j < m.nodes; ++j) {
     const auto first = later.begin() + start[static_cast<std::size_t>(j)];
     const auto last = later.begin() + start[static_cast<std::size_t>(j) + 1];
@@ -108,19 +110,6 @@ SparseSymmetric sparse_symmetric(std::vector<int> graph_start, std::vector<int> 
   m.graph = std::move(graph);
   make_values(m);
   return m;
-}
-
-BlockPlace find_block(const SparseSymmetric& matrix, int i, int j) {
-  const int first = matrix.first_column(static_cast<std::size_t>(j));
-  const int second = matrix.second_column(static_cast<std::size_t>(j));
-  if (i == j) return {first, second};
-  // A vertex has three later neighbours on average: too few for a binary search.
-  const int* const begin =
-      &matrix.graph[static_cast<std::size_t>(matrix.graph_start[static_cast<std::size_t>(j)])];
-  const int* neighbour = begin;
-  while (*neighbour != i) ++neighbour;
-  const int rank = static_cast<int>(neighbour - begin);
-  return {first + 2 + 2 * rank, second + 1 + 2 * rank};
 }
 
 // The two columns of a node have the same rows below their diagonal block.

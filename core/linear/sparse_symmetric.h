@@ -51,7 +51,18 @@ SparseSymmetric sparse_symmetric(int nodes, const std::vector<std::pair<int, int
 SparseSymmetric sparse_symmetric(std::vector<int> graph_start, std::vector<int> graph);
 
 /// Precondition: the pattern has the block.
-BlockPlace find_block(const SparseSymmetric& matrix, int i, int j);
+inline BlockPlace find_block(const SparseSymmetric& matrix, int i, int j) {
+  const int first = matrix.first_column(static_cast<std::size_t>(j));
+  const int second = matrix.second_column(static_cast<std::size_t>(j));
+  if (i == j) return {first, second};
+  // A vertex has three later neighbours on average: too few for a binary search.
+  const int* const begin =
+      &matrix.graph[static_cast<std::size_t>(matrix.graph_start[static_cast<std::size_t>(j)])];
+  const int* neighbour = begin;
+  while (*neighbour != i) ++neighbour;
+  const int rank = static_cast<int>(neighbour - begin);
+  return {first + 2 + 2 * rank, second + 1 + 2 * rank};
+}
 
 /// y = A x, with the same bits however many threads share it.
 void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorXd& y);

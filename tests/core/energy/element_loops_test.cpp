@@ -63,7 +63,8 @@ std::vector<EnergySettings> all_settings() {
 
 std::vector<ElementLoops> all_loops(DensityKind kind) {
   std::vector<ElementLoops> all{plain_element_loops(kind)};
-  if (const ElementLoops* avx2 = avx2_element_loops(kind)) all.push_back(*avx2);
+  for (const ElementLoops* loops : {avx2_element_loops(kind), avx512_element_loops(kind)})
+    if (loops) all.push_back(*loops);
   return all;
 }
 

@@ -108,37 +108,6 @@ TEST(Objective, IsInfiniteOutsideTheFeasibleSetEvenWithoutABarrier) {
   EXPECT_TRUE(std::isinf(objective.value(e, u).total()));
 }
 
-TEST(Objective, TheStepBoundIsWhereTheFirstTriangleReachesItsSmallestArea) {
-  const auto f = test::hexagon();
-  const MeshPair mesh(f.triangles, f.rest);
-  EnergySettings settings;
-  const double delta = settings.delta = 0.1;
-  const Objective objective(mesh, {});
-  Points step = Points::Zero(2, 7);
-  step.col(0) = Vec2(0, 1);
-  // The height of the triangle above shrinks from √3/2; its area bound is δ of it.
-  EXPECT_NEAR(objective.largest_step(settings, f.rest, step), std::sqrt(3) / 2 * (1 - delta),
-              1e-12);
-  EXPECT_TRUE(std::isinf(objective.largest_step(settings, f.rest, Points::Zero(2, 7))));
-}
-
-TEST(Objective, TrianglesInTheWayAreThoseThatBoundAStepBelow) {
-  const auto f = test::hexagon();
-  const MeshPair mesh(f.triangles, f.rest);
-  EnergySettings settings;
-  const Objective objective(mesh, {});
-  Points step = Points::Zero(2, 7);
-  step.col(0) = Vec2(0, 1);
-  const double least = objective.largest_step(settings, f.rest, step);
-  EXPECT_TRUE(objective.triangles_in_way(settings, f.rest, step, least).empty());
-  const std::vector<int> above = objective.triangles_in_way(settings, f.rest, step, 1.001 * least);
-  ASSERT_EQ(above.size(), 1U);
-  const auto t = f.triangles.col(above[0]);
-  EXPECT_GT(f.rest(1, t[0]) + f.rest(1, t[1]) + f.rest(1, t[2]), std::sqrt(3) - 1e-9);
-  EXPECT_EQ(objective.triangles_in_way(settings, f.rest, step, 1e9).size(), 3U)
-      << "of the three above";
-}
-
 /// The grid under an affine map: every triangle has the same J.
 struct Affine {
   Affine() : u(J * f.rest), mesh(f.triangles, f.rest, u), objective(mesh, {}) {}
