@@ -173,12 +173,16 @@ std::vector<int> column_counts(const OrderedNeighbours& earlier, const std::vect
 
 EliminationTree elimination_tree(const SparseSymmetric& matrix, const std::vector<int>& order) {
   EliminationTree tree;
-  const std::vector<int> parent = parents_of(earlier_neighbours(matrix, inverse(order)));
-  const std::vector<int> post = postorder(parent);
-  tree.parent = relabelled(parent, post);
-  for (const int k : post) tree.order.push_back(order[index(k)]);
-  tree.position = inverse(tree.order);
+  tree.order = order;
+  tree.position = inverse(order);
   tree.earlier = earlier_neighbours(matrix, tree.position);
+  tree.parent = parents_of(tree.earlier);
+  if (const std::vector<int> post = postorder(tree.parent); !std::ranges::is_sorted(post)) {
+    tree.parent = relabelled(tree.parent, post);
+    std::ranges::transform(post, tree.order.begin(), [&](int k) { return order[index(k)]; });
+    tree.position = inverse(tree.order);
+    tree.earlier = earlier_neighbours(matrix, tree.position);
+  }
   tree.count = column_counts(tree.earlier, tree.parent);
   return tree;
 }

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/local_solve.h"
 
+#include <atomic>
 #include <utility>
+
+#include "core/threads/values_of_ranges.h"
 
 namespace foldless {
 namespace {
+
+/// Nodes that a thread takes together: some ten microseconds.
+constexpr std::ptrdiff_t kNodesScannedTogether = 4096;
 
 /// The block of nodes i ≥ j, whole on the diagonal too.
 Eigen::Matrix2d block_of(const SparseSymmetric& A, int i, int j) {
@@ -13,6 +19,24 @@ Eigen::Matrix2d block_of(const SparseSymmetric& A, int i, int j) {
   const double* second = &A.value[static_cast<std::size_t>(second_column)];
   if (i == j) return Eigen::Matrix2d{{first[0], first[1]}, {first[1], second[0]}};
   return Eigen::Matrix2d{{first[0], second[0]}, {first[1], second[1]}};
+}
+
+/// The blocks (i, j), i > j, of nodes of which one or both have a place.
+std::vector<std::pair<int, int>> pairs_with(const SparseSymmetric& A,
+                                            const std::vector<int>& place) {
+  return joined_ranges(A.nodes, kNodesScannedTogether,
+                       [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+                         std::vector<std::pair<int, int>> pairs;
+                         for (std::ptrdiff_t j = begin; j < end; ++j) {
+                           const auto node = static_cast<std::size_t>(j);
+                           for (int k = A.graph_start[node]; k < A.graph_start[node + 1]; ++k) {
+                             const int i = A.graph[static_cast<std::size_t>(k)];
+                             if (place[node] >= 0 || place[static_cast<std::size_t>(i)] >= 0)
+                               pairs.emplace_back(i, static_cast<int>(j));
+                           }
+                         }
+                         return pairs;
+                       });
 }
 
 }  // namespace
@@ -24,15 +48,11 @@ LocalSolve::LocalSolve(const SparseSymmetric& A, const std::vector<int>& nodes) 
     rows_.push_back({static_cast<int>(s), nodes[s], block_of(A, nodes[s], nodes[s])});
   }
   std::vector<std::pair<int, int>> edges;
-  for (int j = 0; j < A.nodes; ++j) {
-    const auto node = static_cast<std::size_t>(j);
-    for (int k = A.graph_start[node]; k < A.graph_start[node + 1]; ++k) {
-      const int i = A.graph[static_cast<std::size_t>(k)];
-      const int at_i = place[static_cast<std::size_t>(i)], at_j = place[node];
-      if (at_i >= 0) rows_.push_back({at_i, j, block_of(A, i, j)});
-      if (at_j >= 0) rows_.push_back({at_j, i, block_of(A, i, j).transpose()});
-      if (at_i >= 0 && at_j >= 0) edges.emplace_back(at_i, at_j);
-    }
+  for (const auto& [i, j] : pairs_with(A, place)) {
+    const int at_i = place[static_cast<std::size_t>(i)], at_j = place[static_cast<std::size_t>(j)];
+    if (at_i >= 0) rows_.push_back({at_i, j, block_of(A, i, j)});
+    if (at_j >= 0) rows_.push_back({at_j, i, block_of(A, i, j).transpose()});
+    if (at_i >= 0 && at_j >= 0) edges.emplace_back(at_i, at_j);
   }
   SparseSymmetric A_SS = sparse_symmetric(static_cast<int>(nodes.size()), edges);
   for (const auto& [row, column, value] : rows_) {
@@ -68,12 +88,17 @@ std::vector<int> with_neighbours(const SparseSymmetric& A, const std::vector<int
   std::vector<char> is_node(static_cast<std::size_t>(A.nodes), 0);
   for (const int node : nodes) is_node[static_cast<std::size_t>(node)] = 1;
   std::vector<char> is_near = is_node;
-  for (std::size_t j = 0; j < is_node.size(); ++j)
+  const auto mark = [&](std::size_t node) {
+    std::atomic_ref(is_near[node]).store(1, std::memory_order_relaxed);
+  };
+  each_in_ranges(A.nodes, kNodesScannedTogether, [&](std::ptrdiff_t node) {
+    const auto j = static_cast<std::size_t>(node);
     for (int k = A.graph_start[j]; k < A.graph_start[j + 1]; ++k) {
       const auto i = static_cast<std::size_t>(A.graph[static_cast<std::size_t>(k)]);
-      is_near[i] |= is_node[j];
-      is_near[j] |= is_node[i];
+      if (is_node[j]) mark(i);
+      if (is_node[i]) mark(j);
     }
+  });
   std::vector<int> result;
   for (int node = 0; node < A.nodes; ++node)
     if (is_near[static_cast<std::size_t>(node)]) result.push_back(node);

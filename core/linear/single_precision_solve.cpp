@@ -145,6 +145,14 @@ FOLDLESS_AVX2 void forward_single(const Supernode& s, const int* node, const flo
   }
 }
 
+/// The values of so many nodes, four at most, and zeros.
+FOLDLESS_AVX2 __m256 load_pairs(const float* x, const int* node, int count) {
+  const auto pair = [&](int k) {
+    return k < count ? load_pair(x + 2 * static_cast<std::ptrdiff_t>(node[k])) : _mm_setzero_ps();
+  };
+  return _mm256_set_m128(_mm_movelh_ps(pair(2), pair(3)), _mm_movelh_ps(pair(0), pair(1)));
+}
+
 /// x becomes L⁻ᵀ x.
 // NOLINTNEXTLINE(readability-function-size): a kernel, which is called for every supernode
 FOLDLESS_AVX2 void backward_single(const Supernode& s, const int* node, const float* value,
@@ -152,13 +160,10 @@ FOLDLESS_AVX2 void backward_single(const Supernode& s, const int* node, const fl
   if (s.columns == 2) return backward_pair(s, node, value, x);
   const int rows = s.rows(), wide = s.columns & ~3;
   std::copy_n(x + s.first, s.columns, work);
-  float* to = work + s.columns;
-  for (int i = 0; i < s.below; i += 2, ++node) {
-    const float* from = x + 2 * static_cast<std::ptrdiff_t>(*node);
-    to[i] = from[0];
-    to[i + 1] = from[1];
-  }
-  std::fill_n(work + rows, kSingleOverrun, 0.0F);
+  // In stores as wide as the loads that follow: from narrower ones they would have to wait.
+  _mm256_storeu_ps(work + rows, _mm256_setzero_ps());
+  for (int i = 0; i < s.below; i += kLanes, node += kLanes / 2)
+    _mm256_storeu_ps(work + s.columns + i, load_pairs(x, node, (s.below - i) / 2));
   if (wide < s.columns)
     backward_columns<2>({value + static_cast<std::ptrdiff_t>(wide) * rows, rows, wide}, work);
   for (int j = wide - 4; j >= 0; j -= 4)

@@ -19,6 +19,7 @@ void for_each_corner(const Eigen::Vector3i& t, const Visit& visit) {
 /// True when the counter-clockwise triangle t = (v, a, b) holds the edge to `next` as its last side
 /// or behind its first.
 bool comes_round_to_next(const Points& points, const Eigen::Vector3i& t, int next) {
+  if (t[1] == next) return false;  // as exact arithmetic would find of every first triangle
   return orientation(points, {t[0], t[1], next}) > 0 &&
          orientation(points, {t[0], next, t[2]}) >= 0;
 }

@@ -27,10 +27,7 @@ class CopyOnWrite {
     if (shared_ && shared_->users.fetch_sub(1, std::memory_order_acq_rel) == 1) delete shared_;
   }
 
-  const Value& operator*() const {
-    static const Value none{};
-    return shared_ ? shared_->value : none;
-  }
+  const Value& operator*() const { return shared_ ? shared_->value : none(); }
   const Value* operator->() const { return &**this; }
   /// The value to be changed, which no other copy has from now on. Throws std::bad_alloc.
   Value& own() {
@@ -44,6 +41,12 @@ class CopyOnWrite {
     Value value;
     std::atomic<int> users = 1;
   };
+  /// Apart, so that operator*() is short enough to be inlined.
+  static const Value& none() {
+    static const Value value{};
+    return value;
+  }
+
   Shared* shared_ = nullptr;
 };
 

@@ -63,23 +63,22 @@ InjectivityChecker::InjectivityChecker(Triangles triangles, int vertex_count)
 
 InjectivityReport InjectivityChecker::check(const Points& points) const {
   assert(static_cast<std::size_t>(points.cols()) == interior_.size());
-  std::vector<int> signs(static_cast<std::size_t>(triangles_.cols()));
+  std::atomic<bool> are_all_positive = true;
   std::vector<int> crossings(interior_.size(), 0);
   std::vector<char> overlaps(interior_.size(), 0);
   constexpr std::ptrdiff_t kTogether = 2048;
   const bool is_shared = present_team() && triangles_.cols() > kTogether;
   each_in_ranges(triangles_.cols(), kTogether, [&](std::ptrdiff_t f) {
     const Eigen::Vector3i t = triangles_.col(f);
-    const int sign = orientation(points, t);
-    signs[static_cast<std::size_t>(f)] = sign;
-    if (sign <= 0) return;
+    if (orientation(points, t) <= 0)
+      return are_all_positive.store(false, std::memory_order_relaxed);
     count_crossings(t, points, crossings, is_shared);
     mark_overlaps(t, points, boundary_, overlaps);
   });
   InjectivityReport report;
   std::vector<bool> positive(interior_.size(), true);
-  for (Eigen::Index f = 0; f < triangles_.cols(); ++f) {
-    const int sign = signs[static_cast<std::size_t>(f)];
+  for (Eigen::Index f = are_all_positive ? triangles_.cols() : 0; f < triangles_.cols(); ++f) {
+    const int sign = orientation(points, triangles_.col(f));
     if (sign > 0) continue;
     for (const int v : triangles_.col(f)) positive[static_cast<std::size_t>(v)] = false;
     if (sign < 0) count_offender(static_cast<int>(f), report.inverted, report.first_inverted);

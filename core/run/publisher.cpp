@@ -46,14 +46,14 @@ Publisher::Publisher(const Problem& problem, std::uint64_t generation)
   common_.original_vertices = problem.original->vertices;
   const MeshPair part = part_.of(problem).mesh;
   common_.revision = part.revision();
-  adopt_connectivity(part.triangles(), part.rest());
-  const std::vector<int> overlaps = checker_.check(part.deformed()).overlapping_boundary_vertices;
+  const InjectivityReport at_rest = adopt_connectivity(part.triangles(), part.rest());
+  const InjectivityReport deformed = checker_.check(part.deformed());
+  const std::vector<int>& overlaps = deformed.overlapping_boundary_vertices;
   idle_overlaps_ = static_cast<int>(whole.overlapping_boundary_vertices.size() - overlaps.size());
-  overlaps_of_beginning_ =
-      merged(overlaps, checker_.check(part.rest()).overlapping_boundary_vertices);
+  overlaps_of_beginning_ = merged(overlaps, at_rest.overlapping_boundary_vertices);
   does_rest_overlap_ = false;
   if (!is_idle()) normalisation_ = frame_of(part, checker_);
-  first_ = snapshot_of(part.deformed(), {});
+  first_ = snapshot_of(part.deformed(), deformed, {});
 }
 
 Problem Publisher::part_of(const Problem& problem) const {
@@ -77,12 +77,14 @@ std::shared_ptr<Snapshot> Publisher::publish(const MeshPair& mesh, const Licence
     adopt_connectivity(mesh.triangles(), normalisation_.from_unit_rest(mesh.rest()));
   }
   if (is_rest_folded_ || (does_rest_overlap_ && !licence.to_overlap)) return nullptr;
-  return snapshot_of(normalisation_.from_unit(mesh.deformed()), licence);
+  Points deformed = normalisation_.from_unit(mesh.deformed());
+  const InjectivityReport report = checker_.check(deformed);
+  return snapshot_of(std::move(deformed), report, licence);
 }
 
-void Publisher::adopt_connectivity(const Triangles& triangles, const Points& rest) {
+InjectivityReport Publisher::adopt_connectivity(const Triangles& triangles, const Points& rest) {
   checker_ = InjectivityChecker(triangles, static_cast<int>(rest.cols()));
-  const InjectivityReport report = checker_.check(rest);
+  InjectivityReport report = checker_.check(rest);
   is_rest_folded_ = !report.is_injective_inside();
   does_rest_overlap_ = has_new_overlaps(report);
   common_.triangles = std::make_shared<const Triangles>(
@@ -90,14 +92,15 @@ void Publisher::adopt_connectivity(const Triangles& triangles, const Points& res
   common_.rest = std::make_shared<const Points>(part_.whole_rest(rest));
   common_.flipped_edges =
       std::make_shared<const std::vector<Edge>>(original_edges_.flipped_in(*common_.triangles));
+  return report;
 }
 
 bool Publisher::has_new_overlaps(const InjectivityReport& report) const {
   return !std::ranges::includes(overlaps_of_beginning_, report.overlapping_boundary_vertices);
 }
 
-std::shared_ptr<Snapshot> Publisher::snapshot_of(Points deformed, const Licence& licence) const {
-  const InjectivityReport report = checker_.check(deformed);
+std::shared_ptr<Snapshot> Publisher::snapshot_of(Points deformed, const InjectivityReport& report,
+                                                 const Licence& licence) const {
   if (!report.is_injective_inside() && !(licence.to_fold && deformed.allFinite())) return nullptr;
   if (!licence.to_overlap && has_new_overlaps(report)) return nullptr;
   auto snapshot = std::make_shared<Snapshot>(common_);

@@ -46,9 +46,11 @@ class Publisher {
   std::shared_ptr<Snapshot> publish(const MeshPair& mesh, const Licence& licence);
 
  private:
-  void adopt_connectivity(const Triangles& triangles, const Points& rest);
+  /// The report on the rest mesh.
+  InjectivityReport adopt_connectivity(const Triangles& triangles, const Points& rest);
   bool has_new_overlaps(const InjectivityReport& report) const;
-  std::shared_ptr<Snapshot> snapshot_of(Points deformed, const Licence& licence) const;
+  std::shared_ptr<Snapshot> snapshot_of(Points deformed, const InjectivityReport& report,
+                                        const Licence& licence) const;
 
   OriginalEdges original_edges_;
   ActivePart part_;

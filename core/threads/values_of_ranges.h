@@ -23,4 +23,13 @@ auto values_of_ranges(std::ptrdiff_t count, std::ptrdiff_t grain, const Of& of) 
   return values;
 }
 
+/// What of(begin, end) lists, one after the other.
+template <class Of>
+auto joined_ranges(std::ptrdiff_t count, std::ptrdiff_t grain, const Of& of) {
+  decltype(of(count, count)) all;
+  for (const auto& own : values_of_ranges(count, grain, of))
+    all.insert(all.end(), own.begin(), own.end());
+  return all;
+}
+
 }  // namespace foldless

@@ -19,6 +19,7 @@ constexpr double kLower = 0.999;
 constexpr double kMoreDistorted = 1.5;
 /// Where σ₁/σ₂ of a triangle is above this another way often ends in a better shape.
 constexpr double kSuspiciousDistortion = 100;
+static_assert(kSuspiciousDistortion > kHardlyDistorted);
 constexpr int kFewLegs = 2;
 constexpr int kManyLegs = 8;
 

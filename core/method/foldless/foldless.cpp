@@ -240,6 +240,7 @@ Steps<Progress> Foldless::split_and_approach(FactorUse use) {
 // Not of a mesh that goes on from another, which is the next picture of a film: it would jump. The
 // other maps of a coarse mesh are hardly ever those that the fine one ends in.
 Steps<> Foldless::look_for_better(OtherWays& ways) {
+  if (largest_distortion(work_.mesh) <= kHardlyDistorted) co_return;
   if (!is_coarse_) co_await try_other_maps(ways);
   co_await refine_crushed(work_);
   co_await refine_distorted(work_);

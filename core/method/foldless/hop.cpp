@@ -14,8 +14,6 @@ namespace hopping {
 /// ε of each hop: one that goes far, one that stays near what that found, and one that goes far
 /// from there.
 constexpr std::array kExponents = {20.0, 1.5, 20.0};
-/// Below this σ₁/σ₂ a hop seldom finds anything.
-constexpr double kLeastDistortion = 20;
 /// Than a crushed mesh one is better whose largest σ₁/σ₂ is below this part of the other's,
 constexpr double kLessCrushed = 0.8;
 /// if it has at most so many times the E.
@@ -33,7 +31,7 @@ bool is_better(const Workspace& work, const Workspace& other, double most_distor
 Steps<> hop(Workspace& work) {
   using namespace hopping;
   if (work.mesh.face_count() > kLargestWithCandidates) co_return;
-  if (largest_distortion(work.mesh) <= kLeastDistortion) co_return;
+  if (largest_distortion(work.mesh) <= kHardlyDistorted) co_return;
   const double most_distortion = most_distortion_beside(work.mesh);
   for (const double exponent : kExponents) {
     Workspace other = work;

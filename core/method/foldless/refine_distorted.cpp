@@ -14,6 +14,7 @@ constexpr int kLargest = 4000;
 /// Where no σ₁/σ₂ is above this nothing is refined. A lower bound betters more shapes, for more
 /// vertices.
 constexpr double kDistorted = 50;
+static_assert(kDistorted > kHardlyDistorted);
 /// Of triangles with this part of the largest σ₁/σ₂ and more edges are split,
 constexpr double kPart = 0.1;
 /// but of none below.

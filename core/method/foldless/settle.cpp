@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "core/energy/conformal_power.h"
 #include "core/method/foldless/flipping_descent.h"
+#include "core/threads/values_of_ranges.h"
 
 namespace foldless {
 namespace settling {
@@ -37,10 +40,16 @@ bool is_converged(const VertexUpdate& update, double energy, const Workspace& wo
 
 /// Σ k^q.
 double conformal_sum(const MeshPair& mesh, int q) {
-  double sum = 0;
-  for (const auto& t : mesh.triangles().colwise())
-    sum += conformal_power_value(deformation_gradient(mesh.rest(), mesh.deformed(), t), q);
-  return sum;
+  constexpr std::ptrdiff_t kTogether = 8192;  // some hundred microseconds
+  const std::vector<double> sums =
+      values_of_ranges(mesh.face_count(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+        double sum = 0;
+        for (std::ptrdiff_t t = begin; t < end; ++t)
+          sum += conformal_power_value(
+              deformation_gradient(mesh.rest(), mesh.deformed(), mesh.triangles().col(t)), q);
+        return sum;
+      });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 double value_of(const Workspace& work, const Energy& energy) {

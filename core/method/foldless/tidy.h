@@ -13,6 +13,8 @@ Steps<> tidy(Workspace& work);
 
 /// The largest σ₁/σ₂ of all triangles.
 double largest_distortion(const MeshPair& mesh);
+/// Up to this largest σ₁/σ₂ no stage looks for a better shape: it seldom finds any.
+inline constexpr double kHardlyDistorted = 20;
 /// A triangle of this σ₁/σ₂ counts as crushed.
 inline constexpr double kCrushed = 1e3;
 bool is_crushed(const MeshPair& mesh);

@@ -2,6 +2,9 @@
 // Who comes after whom in a run of `foldless`, and from which mesh.
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <optional>
+
 #include "core/method/foldless/foldless.h"
 #include "core/method/foldless/tidy.h"
 #include "tests/core/method/foldless/coarse_scenes.h"
@@ -77,6 +80,31 @@ TEST(Driver, WhatHasArrivedStaysOnShowUntilALessCrushedMeshIsFound) {
     before = record->phase;
   }
   EXPECT_GE(tried, 2) << "the claim would be empty";
+}
+
+// A hop first raises E by what makes triangles round.
+TEST(Driver, AShapeThatIsDistortedIsLookedAtAgain) {
+  int distorted = 0, looked_at = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Foldless method(trading_places(seed));
+    double least = std::numeric_limits<double>::infinity();  // E_d while it settles
+    double at_least = 0;                                     // the largest σ₁/σ₂ then
+    bool rises = false;
+    for (int step = 0; step < 400; ++step) {
+      const std::optional<Iteration> record = method.step({});
+      if (!record) break;
+      if (record->phase != Phase::settle) continue;
+      rises |= record->distortion_energy > 1.2 * least;
+      if (record->distortion_energy >= least) continue;
+      least = record->distortion_energy;
+      at_least = record->max_conformal_distortion;
+    }
+    if (at_least < 1.5 * kHardlyDistorted || at_least > 5 * kHardlyDistorted) continue;
+    ++distorted;
+    looked_at += rises;
+  }
+  EXPECT_GE(distorted, 8) << "the claim would be empty";
+  EXPECT_GE(looked_at, distorted - 1);
 }
 
 // Run brings targets and deformed meshes to the origin, but not the rest mesh.

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/energy/conformal_power.h"
+#include "core/mesh/generate.h"
 #include "core/mesh/quality.h"
 #include "tests/core/method/foldless/stage_runner.h"
 #include "tests/core/method/foldless/workspaces.h"
@@ -37,6 +39,21 @@ void expect_falling_merit(Workspace& work) {
     EXPECT_TRUE(test::is_valid(work.mesh));
     merit = merit_of(work);
   }
+}
+
+// Sums over large meshes are taken in parts.
+TEST(Settle, MeritCountsAllTrianglesOfALargeMeshAlike) {
+  const Shape shape = grid({.columns = 100, .rows = 100, .width = 1, .height = 1});
+  Points u = shape.rest;  // the farther to the right, the flatter
+  u.row(0) = shape.rest.row(0).array() - 0.4 * shape.rest.row(0).array().square();
+  const OwnWorkspace own =
+      test::workspace_of(MeshPair(shape.triangles, shape.rest, u), {Handle{.vertex = 0}});
+  double sum = 0;
+  for (const auto& t : shape.triangles.colwise())
+    sum += conformal_power_value(deformation_gradient(shape.rest, u, t), 2);
+  const double mean = sum / static_cast<double>(shape.triangles.cols());
+  ASSERT_GT(mean, 1.05) << "the claim would be empty";
+  EXPECT_NEAR(merit_of(own.work, 1) / settled_energy(own.work), mean, 1e-12 * mean);
 }
 
 TEST(Settle, NeverRaisesEnergyTimesDistortionAndStaysValid) {
