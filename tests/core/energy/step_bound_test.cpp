@@ -60,7 +60,7 @@ TEST(StepBound, IsTheFirstOfAllTriangles) {
     ++bounded;
     EXPECT_NEAR(least_room(mesh, f.rest + t * step, settings.delta), 0, 1e-9);
   }
-  EXPECT_GT(bounded, 15);
+  EXPECT_GT(bounded, 10) << "the claim would be empty";
 }
 
 TEST(StepBound, TrianglesInTheWayAreThoseThatBoundAStepBelow) {
