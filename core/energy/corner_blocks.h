@@ -43,18 +43,14 @@ inline Vec2 gradient_of_corner(const Matrix2<double>& gradients, int corner) {
   return corner == 1 ? Vec2(a, b) : Vec2(c, d);
 }
 
-inline Matrix2<double> negative_sum(const Matrix2<double>& m, const Matrix2<double>& n) {
-  return {-(m.a + n.a), -(m.b + n.b), -(m.c + n.c), -(m.d + n.d)};
-}
-
 /// The block of two corners in the Hessian of a triangle: rows of `row`, columns of `column`.
 inline Matrix2<double> block_of_corners(const BlocksOf<double>& blocks, int row, int column) {
   if (row > column) return transposed(block_of_corners(blocks, column, row));
   const auto& [of_11, of_12, of_22] = blocks;
   if (row > 0) return row < column ? of_12 : row == 1 ? of_11 : of_22;
-  const Matrix2<double> of_01 = negative_sum(of_11, transposed(of_12));
-  const Matrix2<double> of_02 = negative_sum(of_12, of_22);
-  return column == 0 ? negative_sum(of_01, of_02) : column == 1 ? of_01 : of_02;
+  const Matrix2<double> of_01 = -(of_11 + transposed(of_12));
+  const Matrix2<double> of_02 = -(of_12 + of_22);
+  return column == 0 ? -(of_01 + of_02) : column == 1 ? of_01 : of_02;
 }
 
 /// The two columns of a corner in the Hessian of a triangle.

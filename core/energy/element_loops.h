@@ -42,7 +42,7 @@ struct ElementLoops {
 const ElementLoops& plain_element_loops(DensityKind kind);
 /// Four at once; null where the program or the processor does not have AVX2.
 const ElementLoops* avx2_element_loops(DensityKind kind);
-/// Eight at once; null where the program or the processor does not have AVX-512.
+/// Eight at once; null where the program or the processor does not have AVX-512, or is not faster.
 const ElementLoops* avx512_element_loops(DensityKind kind);
 /// The best that this processor has.
 const ElementLoops& element_loops(DensityKind kind);

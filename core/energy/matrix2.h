@@ -28,6 +28,10 @@ FOLDLESS_INLINED Matrix2<Real> operator+(const Matrix2<Real>& m, const Matrix2<R
   return {m.a + n.a, m.b + n.b, m.c + n.c, m.d + n.d};
 }
 template <class Real>
+FOLDLESS_INLINED Matrix2<Real> operator-(const Matrix2<Real>& m) {
+  return {-m.a, -m.b, -m.c, -m.d};
+}
+template <class Real>
 FOLDLESS_INLINED Matrix2<Real> operator*(const Real& factor, const Matrix2<Real>& m) {
   return {factor * m.a, factor * m.b, factor * m.c, factor * m.d};
 }

@@ -4,6 +4,9 @@
 #include "core/energy/matrix2.h"
 #include "core/linear/sparse_symmetric.h"
 
+// What add_block() of core/linear does, inlined and without Eigen: each triangle adds six blocks in
+// every step, which makes a frame of 5,000 triangles nearly a tenth shorter.
+
 namespace foldless {
 
 /// Adds the block of a node with itself. Precondition: `block` is symmetric.

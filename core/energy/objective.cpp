@@ -21,8 +21,8 @@ bool is_clearly_positive(double a, double b, double c, double bound) {
   return c * (1 - kClear) + bound * (std::min(b, 0.0) + bound * std::min(a, 0.0)) > 0;
 }
 
-/// Smallest positive root of c + b t + a t², or infinity, as for one beyond `bound`; 0 where c is
-/// not positive.
+/// Smallest positive root of c + b t + a t², or infinity; 0 where c is not positive. One beyond
+/// `bound` may be missed.
 double smallest_positive_root(double a, double b, double c, double bound) {
   if (!(c > 0)) return 0;
   if (is_clearly_positive(a, b, c, bound)) return kInfinity;

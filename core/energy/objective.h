@@ -103,7 +103,7 @@ class Objective {
     const Points& step;
     double bound;
   };
-  /// The largest step of one triangle; infinite where it is beyond the segment.
+  /// The largest step of one triangle; one beyond the segment may come as infinite.
   double largest_step_of(Eigen::Index t, const EnergySettings& settings,
                          const Segment& segment) const;
   ElementBatch batch_of(const Energy& energy, const Points& u, double clamping = 0) const {

@@ -77,7 +77,7 @@ InjectivityReport InjectivityChecker::check(const Points& points) const {
   });
   InjectivityReport report;
   std::vector<bool> positive(interior_.size(), true);
-  for (Eigen::Index f = are_all_positive ? triangles_.cols() : 0; f < triangles_.cols(); ++f) {
+  for (Eigen::Index f = 0; !are_all_positive && f < triangles_.cols(); ++f) {
     const int sign = orientation(points, triangles_.col(f));
     if (sign > 0) continue;
     for (const int v : triangles_.col(f)) positive[static_cast<std::size_t>(v)] = false;
