@@ -4,8 +4,8 @@
 #ifdef __x86_64__
 
 #define FOLDLESS_LOOP __attribute__((target("avx512f,avx512dq")))
-#include "core/avx512.h"
 #include "core/energy/element_lanes.h"
+#include "core/linear/avx512.h"
 
 namespace foldless {
 

@@ -6,7 +6,7 @@
 #include <immintrin.h>
 
 #define FOLDLESS_KERNEL __attribute__((target("avx512f"), always_inline)) inline
-#include "core/avx512.h"
+#include "core/linear/avx512.h"
 #include "core/linear/dense_tile.h"
 
 namespace foldless {
