@@ -6,7 +6,6 @@
 #include <immintrin.h>
 
 #define FOLDLESS_KERNEL __attribute__((target("avx512f"), always_inline)) inline
-#include "core/linear/avx512.h"
 #include "core/linear/dense_tile.h"
 
 namespace foldless {
@@ -99,7 +98,10 @@ template <class Lane>
 const DenseKernels<typename Lane::Value>* avx512_kernels_of() {
   static constexpr DenseKernels<typename Lane::Value> kKernels = {
       "AVX-512", avx512_subtract<Lane>, avx512_set_negative<Lane>, avx512_subtract_and_solve<Lane>};
-  return is_avx512_worth_while() && avx2_kernels<typename Lane::Value>() ? &kKernels : nullptr;
+  // The first generation with AVX-512 lowers its clock for it; the later ones have VBMI2 too.
+  const bool is_worth_while =
+      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vbmi2");
+  return is_worth_while && avx2_kernels<typename Lane::Value>() ? &kKernels : nullptr;
 }
 
 }  // namespace
