@@ -98,8 +98,10 @@ std::vector<Vec2> drag_curve(const Vec2& from, double heading, double stride) {
   return points;
 }
 
-std::vector<BenchScene> drag_suite() {
-  return {square(16), arm(8), square(50), arm(25), square(158), arm(79)};
+BenchScene drag_scene(int index) {
+  constexpr std::array kCellsOfSquares{16, 50, 158, 500}, kCellsOfBars{8, 25, 79, 250};
+  const auto size = static_cast<std::size_t>(index / 2);
+  return index % 2 == 0 ? square(kCellsOfSquares[size]) : arm(kCellsOfBars[size]);
 }
 
 }  // namespace foldless

@@ -187,10 +187,7 @@ void run_scale(const BenchCall& call, const Interrupt& interrupt) {
 }
 
 void run_drags(const BenchCall& call, const Interrupt& interrupt) {
-  const std::vector<BenchScene> drags = drag_suite();
-  const Rows rows = run_scenes(
-      call, wanted(call, drags.size(), [&](int i) { return drags[static_cast<std::size_t>(i)]; }),
-      interrupt);
+  const Rows rows = run_scenes(call, wanted(call, kDragScenes, drag_scene), interrupt);
   std::cout << drag_table(rows).plain();
   print_notes(rows);
   if (call.folder) write_drags(*call.folder, rows);
