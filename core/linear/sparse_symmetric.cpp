@@ -35,18 +35,23 @@ void make_graph(SparseSymmetric& m, const std::vector<std::pair<int, int>>& edge
   }
 }
 
-void make_earlier(SparseSymmetric& m) {
-  m.earlier_start.assign(static_cast<std::size_t>(m.nodes) + 1, 0);
-  for (const int i : m.graph) ++m.earlier_start[static_cast<std::size_t>(i) + 1];
-  std::partial_sum(m.earlier_start.begin(), m.earlier_start.end(), m.earlier_start.begin());
-  m.earlier.resize(m.graph.size());
-  std::vector<int> next(m.earlier_start.begin(), m.earlier_start.end() - 1);
-  for (int j = 0; j < m.nodes; ++j) {
+/// The ranges of a product, all in one where one thread will do.
+void make_ranges(SparseSymmetric& m) {
+  constexpr int kSharedFrom = 1024, kRanges = 16, kFewest = 256, kMost = 4096;
+  m.range = m.nodes;
+  if (present_team() && m.nodes >= kSharedFrom)
+    m.range = std::clamp(m.nodes / kRanges, kFewest, kMost);
+  m.crossings.assign(static_cast<std::size_t>(m.nodes > 0 ? (m.nodes - 1) / m.range + 1 : 0), {});
+  for (int j = 0, end = m.range; j < m.nodes; ++j) {
+    if (j == end) end += m.range;
     const auto node = static_cast<std::size_t>(j);
-    int first = m.first_column(node) + 2, second = m.second_column(node) + 1;
-    for (int k = m.graph_start[node]; k < m.graph_start[node + 1]; ++k, first += 2, second += 2) {
-      const auto i = static_cast<std::size_t>(m.graph[static_cast<std::size_t>(k)]);
-      m.earlier[static_cast<std::size_t>(next[i]++)] = {j, {first, second}};
+    const int first = m.first_column(node) + 2, second = m.second_column(node) + 1;
+    for (int k = m.graph_start[node + 1]; k-- > m.graph_start[node];) {
+      const int i = m.graph[static_cast<std::size_t>(k)];
+      if (i < end) break;
+      const int rank = k - m.graph_start[node];
+      m.crossings[static_cast<std::size_t>(i / m.range)].push_back(
+          {i, j, {first + 2 * rank, second + 2 * rank}});
     }
   }
 }
@@ -61,36 +66,45 @@ void make_values(SparseSymmetric& m) {
             [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
               std::fill(m.value.begin() + begin, m.value.begin() + end, 0.0);
             });
-  constexpr int kSharedFrom = 1024;
-  if (present_team() && m.nodes >= kSharedFrom) make_earlier(m);
+  make_ranges(m);
 }
 
-/// The rows of a node, as multiply() adds them up: those before the node's column, then that.
-// NOLINTNEXTLINE(readability-function-size): y = A x of a node
-void multiply_rows(const SparseSymmetric& A, std::ptrdiff_t node, const double* x, double* y) {
-  const auto j = static_cast<std::size_t>(node);
-  double y0 = 0, y1 = 0;
-  for (int k = A.earlier_start[j]; k < A.earlier_start[j + 1]; ++k) {
-    const auto& [other, place] = A.earlier[static_cast<std::size_t>(k)];
+/// The rows of a range of nodes, which may be `All`: what columns before it add, then its own.
+template <bool All>
+// NOLINTNEXTLINE(readability-function-size): y = A x
+void multiply_range(const SparseSymmetric& A, std::size_t range, const double* x, double* y) {
+  const int begin = static_cast<int>(range) * A.range, end = std::min(begin + A.range, A.nodes);
+  std::fill(y + 2 * static_cast<std::ptrdiff_t>(begin), y + 2 * static_cast<std::ptrdiff_t>(end),
+            0.0);
+  for (const auto& [row, column, place] : A.crossings[range]) {
     const double* first = &A.value[static_cast<std::size_t>(place.first_column)];
     const double* second = &A.value[static_cast<std::size_t>(place.second_column)];
-    const double* of = x + 2 * static_cast<std::ptrdiff_t>(other);
-    y0 += first[0] * of[0] + second[0] * of[1];
-    y1 += first[1] * of[0] + second[1] * of[1];
+    const double* of = x + 2 * static_cast<std::ptrdiff_t>(column);
+    double* to = y + 2 * static_cast<std::ptrdiff_t>(row);
+    to[0] += first[0] * of[0] + second[0] * of[1];
+    to[1] += first[1] * of[0] + second[1] * of[1];
   }
-  const double* first = &A.value[static_cast<std::size_t>(A.first_column(j))];
-  const double* second = &A.value[static_cast<std::size_t>(A.second_column(j))];
-  const double* own = x + 2 * node;
-  double z0 = first[0] * own[0] + first[1] * own[1], z1 = first[1] * own[0] + second[0] * own[1];
-  first += 2;
-  second += 1;
-  for (int k = A.graph_start[j]; k < A.graph_start[j + 1]; ++k, first += 2, second += 2) {
-    const double* of = x + 2 * static_cast<std::ptrdiff_t>(A.graph[static_cast<std::size_t>(k)]);
-    z0 += first[0] * of[0] + first[1] * of[1];
-    z1 += second[0] * of[0] + second[1] * of[1];
+  for (int j = begin; j < end; ++j) {
+    const auto node = static_cast<std::size_t>(j);
+    const double* first = &A.value[static_cast<std::size_t>(A.first_column(node))];
+    const double* second = &A.value[static_cast<std::size_t>(A.second_column(node))];
+    const double x0 = x[2 * node], x1 = x[2 * node + 1];
+    double y0 = first[0] * x0 + first[1] * x1, y1 = first[1] * x0 + second[0] * x1;
+    first += 2;
+    second += 1;
+    for (int k = A.graph_start[node]; k < A.graph_start[node + 1]; ++k, first += 2, second += 2) {
+      const int i = A.graph[static_cast<std::size_t>(k)];
+      const double* of = x + 2 * static_cast<std::ptrdiff_t>(i);
+      y0 += first[0] * of[0] + first[1] * of[1];
+      y1 += second[0] * of[0] + second[1] * of[1];
+      if (!All && i >= end) continue;
+      double* to = y + 2 * static_cast<std::ptrdiff_t>(i);
+      to[0] += first[0] * x0 + second[0] * x1;
+      to[1] += first[1] * x0 + second[1] * x1;
+    }
+    y[2 * node] += y0;
+    y[2 * node + 1] += y1;
   }
-  y[2 * node] = y0 + z0;
-  y[2 * node + 1] = y1 + z1;
 }
 
 }  // namespace
@@ -114,32 +128,14 @@ SparseSymmetric sparse_symmetric(std::vector<int> graph_start, std::vector<int> 
 
 // The two columns of a node have the same rows below their diagonal block.
 void multiply(const SparseSymmetric& A, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
-  if (present_team() && !A.earlier_start.empty()) {
-    y.resize(A.size());
-    constexpr std::ptrdiff_t kNodesTogether = 1024;
-    each_in_ranges(A.nodes, kNodesTogether,
-                   [&](std::ptrdiff_t j) { multiply_rows(A, j, x.data(), y.data()); });
-    return;
-  }
-  y.setZero(A.size());
-  for (int j = 0; j < A.nodes; ++j) {
-    const auto node = static_cast<std::size_t>(j);
-    const double* first = &A.value[static_cast<std::size_t>(A.first_column(node))];
-    const double* second = &A.value[static_cast<std::size_t>(A.second_column(node))];
-    const double x0 = x[2 * j], x1 = x[2 * j + 1];
-    double y0 = first[0] * x0 + first[1] * x1, y1 = first[1] * x0 + second[0] * x1;
-    first += 2;
-    second += 1;
-    for (int k = A.graph_start[node]; k < A.graph_start[node + 1]; ++k, first += 2, second += 2) {
-      const int i = 2 * A.graph[static_cast<std::size_t>(k)];
-      y0 += first[0] * x[i] + first[1] * x[i + 1];
-      y1 += second[0] * x[i] + second[1] * x[i + 1];
-      y[i] += first[0] * x0 + second[0] * x1;
-      y[i + 1] += first[1] * x0 + second[1] * x1;
-    }
-    y[2 * j] += y0;
-    y[2 * j + 1] += y1;
-  }
+  y.resize(A.size());
+  in_parallel(static_cast<int>(A.crossings.size()), [&](int range) {
+    const auto place = static_cast<std::size_t>(range);
+    if (A.crossings.size() == 1)
+      multiply_range<true>(A, place, x.data(), y.data());
+    else
+      multiply_range<false>(A, place, x.data(), y.data());
+  });
 }
 
 void add_block(SparseSymmetric& matrix, int i, int j, const Eigen::Matrix2d& block) {

@@ -26,13 +26,13 @@ struct SparseSymmetric {
   std::vector<int> graph;        ///< neighbours with a larger index, sorted, node after node
   UnfilledVector<double> value;  ///< 3 #nodes + 4 #graph
 
-  /// A block of a node in the column of an earlier neighbour.
-  struct Earlier {
-    int node;
+  /// A block of a node and one in an earlier range.
+  struct Crossing {
+    int row, column;
     BlockPlace place;
   };
-  std::vector<int> earlier_start;  ///< #nodes + 1; empty where a product is for one thread
-  std::vector<Earlier> earlier;    ///< sorted by nodes, node after node
+  int range = 0;  ///< nodes that a thread takes together in a product, > 0 where there are nodes
+  std::vector<std::vector<Crossing>> crossings;  ///< by the ranges of the rows, sorted by columns
 
   int size() const { return 2 * nodes; }
   /// Where the values of column 2j begin, for j = #nodes where they end: rows 2j, 2j+1 and those of
