@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "core/linear/local_solve.h"
 #include "core/linear/shared_vectors.h"
+#include "core/threads/team.h"
+#include "core/threads/values_of_ranges.h"
 
 namespace foldless {
 namespace {
@@ -21,34 +25,80 @@ constexpr double kLeastOwnPart = 1e-6;
 /// was measured to gain up to some 20 ε² of what that did.
 constexpr double kGainOfSquare = 25;
 
-/// Takes the best of all sums of multiples of the guesses, which are made conjugate to each other,
-/// for x, and off the residual b − A x; by how much ½xᵀAx − bᵀx is then lower than at x = 0.
+/// Some vectors p, their images A p, and a residual r.
+struct Guesses {
+  std::vector<const Eigen::VectorXd*> p;
+  const std::vector<Eigen::VectorXd>& images;
+  const Eigen::VectorXd& residual;
+};
+
+/// pᵢᵀApⱼ in columns j, and pᵢᵀr in the last one.
+Eigen::MatrixXd products_of(const Guesses& of) {
+  const auto count = static_cast<Eigen::Index>(of.p.size());
+  const auto in_range = [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    const auto part = [&](const Eigen::VectorXd& all) { return all.segment(begin, end - begin); };
+    Eigen::MatrixXd products(count, count + 1);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto p = part(*of.p[static_cast<std::size_t>(i)]);
+      for (Eigen::Index j = 0; j < count; ++j)
+        products(i, j) = p.dot(part(of.images[static_cast<std::size_t>(j)]));
+      products(i, count) = p.dot(part(of.residual));
+    }
+    return products;
+  };
+  const auto ranges = values_of_ranges(of.residual.size(), kEntriesTogether, in_range);
+  return std::accumulate(ranges.begin(), ranges.end(),
+                         Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count + 1)));
+}
+
+/// A sum of multiples of guesses, and by how much ½xᵀAx − bᵀx is lower there than where r is of.
+struct BestGuess {
+  Eigen::VectorXd multiples;
+  double decrease = 0;
+};
+
+/// The guesses are made conjugate to each other, as sums of multiples of them.
+BestGuess best_guess(const Eigen::MatrixXd& products) {
+  const Eigen::Index count = products.rows();
+  BestGuess best{Eigen::VectorXd::Zero(count)};
+  std::vector<Eigen::VectorXd> conjugate, images;  // images: qᵀA pⱼ by j, over qᵀAq
+  for (Eigen::Index k = 0; k < count; ++k) {
+    Eigen::VectorXd q = Eigen::VectorXd::Unit(count, k);
+    for (std::size_t m = 0; m < conjugate.size(); ++m) q -= images[m][k] * conjugate[m];
+    Eigen::VectorXd image = q.transpose() * products.leftCols(count);
+    const double curvature = image.dot(q);
+    if (!(curvature > kLeastOwnPart * products(k, k))) continue;
+    const double along = q.dot(products.col(count));
+    best.multiples += along / curvature * q;
+    best.decrease += 0.5 * along * along / curvature;
+    conjugate.push_back(std::move(q));
+    images.push_back(image / curvature);
+  }
+  return best;
+}
+
+/// Takes the best of all sums of multiples of the guesses for x, and off the residual b − A x; by
+/// how much ½xᵀAx − bᵀx is then lower than at x = 0.
 double take_best_guess(const SparseSymmetric& A, std::span<const Eigen::VectorXd> guesses,
                        Eigen::VectorXd& x, ConjugateGradientRoom& room) {
-  double decrease = 0;
-  std::size_t count = 0;
-  room.guesses.resize(std::max(room.guesses.size(), guesses.size()));
+  std::vector<const Eigen::VectorXd*> p;
+  room.images.resize(std::max(room.images.size(), guesses.size()));
   for (const Eigen::VectorXd& guess : guesses) {
     if (guess.size() != x.size()) continue;
-    auto& [p, image, curvature] = room.guesses[count];
-    p = guess;
-    multiply(A, p, image);
-    const double whole = shared_dot(p, image);
-    for (std::size_t k = 0; k < count; ++k) {
-      const ConjugateGradientRoom::Direction& before = room.guesses[k];
-      const double part = shared_dot(before.p, image) / before.curvature;
-      add_multiple(-part, before.p, p);
-      add_multiple(-part, before.image, image);
-    }
-    curvature = shared_dot(p, image);
-    if (!(curvature > kLeastOwnPart * whole)) continue;
-    const double along = shared_dot(room.residual, p);
-    add_multiple(along / curvature, p, x);
-    add_multiple(-along / curvature, image, room.residual);
-    decrease += 0.5 * along * along / curvature;
-    ++count;
+    multiply(A, guess, room.images[p.size()]);
+    p.push_back(&guess);
   }
-  return decrease;
+  if (p.empty()) return 0;
+  const BestGuess best = best_guess(products_of({p, room.images, room.residual}));
+  in_ranges(x.size(), kEntriesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double multiple = best.multiples[static_cast<Eigen::Index>(i)];
+      x.segment(begin, end - begin) += multiple * p[i]->segment(begin, end - begin);
+      room.residual.segment(begin, end - begin) -=
+          multiple * room.images[i].segment(begin, end - begin);
+    }
+  });
+  return best.decrease;
 }
 
 }  // namespace

@@ -18,18 +18,12 @@ class LocalSolve;
 /// Vectors that the next call uses again, and that a copy makes for itself: memory that was not
 /// used before is dear.
 struct ConjugateGradientRoom {
-  /// A guess, made conjugate to those before it.
-  struct Direction {
-    Eigen::VectorXd p, image;  ///< A p
-    double curvature = 0;      ///< pᵀAp
-  };
-
   ConjugateGradientRoom() = default;
   ConjugateGradientRoom(const ConjugateGradientRoom&) {}
   ConjugateGradientRoom& operator=(const ConjugateGradientRoom&) { return *this; }
 
   Eigen::VectorXd residual, direction, image;
-  std::vector<Direction> guesses;
+  std::vector<Eigen::VectorXd> images;  ///< A p of guesses p
 };
 
 /// When conjugate_gradients() ends.
