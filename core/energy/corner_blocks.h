@@ -43,14 +43,20 @@ inline Vec2 gradient_of_corner(const Matrix2<double>& gradients, int corner) {
   return corner == 1 ? Vec2(a, b) : Vec2(c, d);
 }
 
-/// The block of two corners in the Hessian of a triangle: rows of `row`, columns of `column`.
-inline Matrix2<double> block_of_corners(const BlocksOf<double>& blocks, int row, int column) {
-  if (row > column) return transposed(block_of_corners(blocks, column, row));
+/// That of block_of_corners() for row ≤ column.
+FOLDLESS_INLINED Matrix2<double> upper_block(const BlocksOf<double>& blocks, int row, int column) {
   const auto& [of_11, of_12, of_22] = blocks;
   if (row > 0) return row < column ? of_12 : row == 1 ? of_11 : of_22;
   const Matrix2<double> of_01 = -(of_11 + transposed(of_12));
   const Matrix2<double> of_02 = -(of_12 + of_22);
   return column == 0 ? -(of_01 + of_02) : column == 1 ? of_01 : of_02;
+}
+
+/// The block of two corners in the Hessian of a triangle: rows of `row`, columns of `column`.
+FOLDLESS_INLINED Matrix2<double> block_of_corners(const BlocksOf<double>& blocks, int row,
+                                                  int column) {
+  return row > column ? transposed(upper_block(blocks, column, row))
+                      : upper_block(blocks, row, column);
 }
 
 /// The two columns of a corner in the Hessian of a triangle.

@@ -14,6 +14,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Fewer triangles are not worth sharing.
+constexpr Eigen::Index kSharedFrom = 2048;
+constexpr int kFewestRanges = 16, kRangesOfAThread = 4;
+
 /// Whether c + b t + a t² is positive for all 0 ≤ t ≤ bound, told without a root; where that is
 /// close, or the bound infinite, it may be so all the same.
 bool is_clearly_positive(double a, double b, double c, double bound) {
@@ -87,11 +91,13 @@ void Objective::follow_flips(const MeshPair& mesh) {
   triangles_of_handles_ = triangles_where(triangles_.cols(), [&](int i) {
     return std::ranges::any_of(triangles_.col(i), [&](int v) { return has_hard_handle(v); });
   });
-  constexpr Eigen::Index kSharedFrom = 2048;
-  if (present_team() && triangles_.cols() >= kSharedFrom)
-    corners_.assign(triangles_, has_hard_handle_.size());
-  else
-    corners_.clear();
+  corners_.clear();
+  vertex_ranges_.clear();
+  if (const Team* team = present_team(); team && triangles_.cols() >= kSharedFrom) {
+    vertex_ranges_ = compact_ranges(triangles_, has_hard_handle_.size(),
+                                    std::max(kFewestRanges, kRangesOfAThread * team->size()));
+    if (vertex_ranges_.empty()) corners_.assign(triangles_, has_hard_handle_.size());
+  }
   guard_.follow_flips(triangles_, rest_);
 }
 
@@ -110,7 +116,9 @@ EnergyTerms Objective::value(const Energy& energy, const Points& u) const {
 
 EnergyGradient Objective::gradient(const Energy& energy, const Points& u) const {
   EnergyGradient sum{{}, Eigen::VectorXd::Zero(u.size())};
-  if (is_shared())
+  if (is_in_ranges())
+    sum_ranges(batch_of(energy, u), sum);
+  else if (is_shared())
     sum_shared(batch_of(energy, u), sum);
   else
     sum_elements(batch_of(energy, u), sum);
@@ -123,7 +131,9 @@ EnergyGradient Objective::assemble(const Energy& energy, const Points& u, Sparse
                                    double clamping) const {
   EnergyGradient sum{{}, Eigen::VectorXd::Zero(u.size())};
   const ElementBatch batch = batch_of(energy, u, clamping);
-  if (is_shared())
+  if (is_in_ranges())
+    sum_ranges(batch, energy.constraints, sum, hessian);
+  else if (is_shared())
     sum_shared(batch, energy.constraints, sum, hessian);
   else
     sum_elements(batch, energy.constraints, sum, hessian);
@@ -190,6 +200,7 @@ void Objective::add_pull_of_gaps(const EnergySettings& settings, const Points& u
 }
 
 SparseSymmetric Objective::hessian_pattern() const {
+  if (is_in_ranges()) return ranged_pattern();
   if (is_shared()) return shared_pattern();
   std::vector<std::pair<int, int>> edges;
   edges.reserve(3 * rest_.size());

@@ -10,6 +10,7 @@
 #include "core/energy/element.h"
 #include "core/energy/element_loops.h"
 #include "core/energy/shared_elements.h"
+#include "core/energy/vertex_ranges.h"
 #include "core/linear/sparse_symmetric.h"
 #include "core/mesh/mesh_pair.h"
 
@@ -93,7 +94,11 @@ class Objective {
     return constraints.held && has_hard_handle(v) ? -1 : v;
   }
   /// True where the triangles are enough to share, and there is a team.
-  bool is_shared() const { return present_team() && !corners_.is_empty(); }
+  bool is_shared() const {
+    return present_team() && !(vertex_ranges_.empty() && corners_.is_empty());
+  }
+  /// Likewise, where they make up compact ranges.
+  bool is_in_ranges() const { return present_team() && !vertex_ranges_.empty(); }
   RestElement reference(const EnergySettings& settings, Eigen::Index t) const {
     return reference_element(settings, rest_[static_cast<std::size_t>(t)]);
   }
@@ -127,16 +132,22 @@ class Objective {
   void sum_shared(const ElementBatch& batch, const Constraints& constraints, EnergyGradient& sum,
                   SparseSymmetric& hessian) const;
   SparseSymmetric shared_pattern() const;
+  // Likewise, by ranges (ranged_objective.cpp).
+  void sum_ranges(const ElementBatch& batch, EnergyGradient& sum) const;
+  void sum_ranges(const ElementBatch& batch, const Constraints& constraints, EnergyGradient& sum,
+                  SparseSymmetric& hessian) const;
+  SparseSymmetric ranged_pattern() const;
   void add_gaps(const EnergySettings& settings, const Points& u, EnergyGradient& sum) const;
   void add_gaps(const Energy& energy, const Points& u, SparseSymmetric& hessian) const;
   void add_pull_of_gaps(const EnergySettings& settings, const Points& u, const Points& way,
                         Eigen::VectorXd& pull) const;
 
-  std::vector<bool> has_hard_handle_;      ///< by vertex
-  Triangles triangles_;                    ///< 3 × #F
-  std::vector<RestElement> rest_;          ///< one a triangle
-  std::vector<int> triangles_of_handles_;  ///< those with a corner at a hard handle
-  CornersOfVertices corners_;              ///< empty where the triangles are too few to share
+  std::vector<bool> has_hard_handle_;       ///< by vertex
+  Triangles triangles_;                     ///< 3 × #F
+  std::vector<RestElement> rest_;           ///< one a triangle
+  std::vector<int> triangles_of_handles_;   ///< those with a corner at a hard handle
+  std::vector<VertexRange> vertex_ranges_;  ///< none where the triangles are too few to share
+  CornersOfVertices corners_;               ///< where they lie too scattered for ranges
   Scratch<ElementEnergy> energies_;
   Scratch<Matrix2<double>> gradients_;
   Scratch<BlocksOf<double>> hessians_;
