@@ -18,6 +18,8 @@ constexpr std::array kExponents = {20.0, 1.5, 20.0};
 constexpr double kLessCrushed = 0.8;
 /// if it has at most so many times the E.
 constexpr double kDearer = 1.5;
+/// A hop that lowers E by less than this part of it is the last: the next one seldom finds more.
+constexpr double kLeastGain = 0.01;
 
 bool is_better(const Workspace& work, const Workspace& other, double most_distortion) {
   const double distortion = largest_distortion(work.mesh);
@@ -38,7 +40,10 @@ Steps<> hop(Workspace& work) {
     co_await settle(other, {.exponent = exponent});
     co_await tidy(other);
     if (!is_better(other, work, most_distortion)) break;
+    const bool is_last =
+        settled_energy(other) > (1 - kLeastGain) * settled_energy(work) && !is_crushed(other.mesh);
     work = std::move(other);
+    if (is_last) break;
   }
   co_yield [&work](Iteration& last) { work.measure_again(last, work.held_energy()); };
 }

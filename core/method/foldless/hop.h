@@ -11,8 +11,8 @@ namespace foldless {
 /// whatever it costs in E, and flips on the way lead out of the basin; then with that of tidy().
 /// What it ends in takes the place of the mesh where its E_d is lower, see has_less_energy(), and
 /// its σ₁/σ₂ within most_distortion_beside() the first, or where a crushed mesh becomes far less
-/// crushed; else that was the last hop. Meshes that are hardly distorted, or have more than
-/// kLargestWithCandidates triangles, stay as they are.
+/// crushed; else that was the last hop, as is one that lowers E by less than a hundredth. Meshes
+/// that are hardly distorted, or have more than kLargestWithCandidates triangles, stay as they are.
 Steps<> hop(Workspace& work);
 
 }  // namespace foldless

@@ -9,6 +9,7 @@
 #include "core/mesh/generate.h"
 #include "core/method/foldless/approach.h"
 #include "core/method/foldless/candidates.h"
+#include "core/method/foldless/settle.h"
 #include "core/method/foldless/tidy.h"
 #include "tests/core/method/foldless/foldless_scenes.h"
 #include "tests/core/method/foldless/stage_runner.h"
@@ -72,6 +73,29 @@ TEST(Hop, IsValidWhateverIsCancelledAndEndsWithNoMoreEnergyUnlessItWasCrushed) {
   EXPECT_GT(cancelled, 20) << "the claim would be empty";
   EXPECT_GE(lower, 3);
   EXPECT_LT(logarithms, -0.2);
+}
+
+TEST(Hop, ThatGainsLessThanAHundredthIsTheLast) {
+  int last = 0, not_last = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = trading_workspace(seed);
+    Workspace& work = own.work;
+    if (!arrives_and_settles(own) || is_crushed(work.mesh)) continue;
+    double energy = settled_energy(work);
+    bool is_over = false;
+    StageRunner<void> runner(hop(work));
+    while (runner.step({})) {
+      EXPECT_FALSE(is_over);
+      const double now = settled_energy(work);  // of the last hop that found something
+      if (now == energy) continue;
+      is_over = now > 0.99 * energy;
+      (is_over ? last : not_last) += 1;
+      energy = now;
+    }
+  }
+  EXPECT_GE(last, 3) << "the claim would be empty";
+  EXPECT_GE(not_last, 3);
 }
 
 TEST(Hop, CostsNothingWhereTheMapIsHardlyDistortedOrTheMeshIsLarge) {
