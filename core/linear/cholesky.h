@@ -22,9 +22,9 @@ enum class Precision { full, single };
 /// pattern stands. A copy has the factor too; both share it until one factorizes anew.
 class Cholesky {
  public:
-  /// Symbolic factorization of the pattern. The fill-reducing ordering is that of the vertex
-  /// graph; with `keep_ordering` the previous one serves again (same number of unknowns).
-  void analyze(const SparseSymmetric& matrix, bool keep_ordering = false);
+  /// Symbolic factorization of the pattern. The fill-reducing ordering of the nodes is that of the
+  /// pattern before, repaired, where it had as many nodes and that is about as good as a new one.
+  void analyze(const SparseSymmetric& matrix);
   /// What may stop a factorization from now on.
   void obey(std::stop_token token) { token_ = std::move(token); }
   const std::stop_token& token() const { return token_; }
@@ -35,6 +35,8 @@ class Cholesky {
                  Precision precision = Precision::full);
   /// True when analyze() was called.
   bool is_analyzed() const { return symbolic_ != nullptr; }
+  /// Those of a factor of the pattern, stored zeros too. Precondition: is_analyzed().
+  std::size_t values() const { return symbolic_->values; }
   /// True when the last factorization succeeded and nothing was analysed since.
   bool has_factor() const { return has_factor_; }
   /// That of the last factorization.
@@ -65,7 +67,7 @@ class Cholesky {
   /// Room for the factor in single precision.
   float* new_single();
 
-  std::vector<int> ordering_;  ///< of the nodes
+  double ordered_work_ = 0;  ///< by the last ordering that was made anew
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::shared_ptr<Buffer<double>> values_;
   std::shared_ptr<Buffer<float>> single_;

@@ -28,6 +28,13 @@ struct EliminationTree {
   std::vector<int> parent;    ///< by places; −1 at a root
   std::vector<int> count;     ///< nodes in a column of the factor of the graph, itself among them
   OrderedNeighbours earlier;  ///< the neighbours that are eliminated before a node
+
+  /// Σ of the squares of `count`: about the multiplications of a factorization, but for a factor.
+  double work() const {
+    double sum = 0;
+    for (const double nodes : count) sum += nodes * nodes;
+    return sum;
+  }
 };
 
 /// The tree of a fill-reducing order, which is changed into an equivalent one that is a postorder.

@@ -107,9 +107,8 @@ class FactorBuilder {
 
 }  // namespace
 
-SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, const std::vector<int>& order,
+SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, EliminationTree tree,
                                double parted_from) {
-  EliminationTree tree = elimination_tree(matrix, order);
   SymbolicFactor factor;
   FactorBuilder builder(matrix, tree, factor);
   builder.make_supernodes();
@@ -117,6 +116,7 @@ SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, const std::vector<
   builder.find_rows();
   builder.find_places();
   factor.order = std::move(tree.order);
+  factor.parent = std::move(tree.parent);
   plan_work(factor, parted_from);
   return factor;
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/linear/elimination_tree.h"
 #include "core/linear/symbolic_factor.h"
 
 namespace foldless {
@@ -11,10 +12,9 @@ namespace foldless {
 /// out.
 constexpr double kPartedFrom = 4e6;
 
-/// `order` is a fill-reducing one of the nodes; an equivalent one is used. A factorization of
-/// `parted_from` multiplications or more is parted into subtrees. Throws Error where a panel has
-/// more than 2³¹ values.
-SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, const std::vector<int>& order,
+/// `tree` is that of the matrix. A factorization of `parted_from` multiplications or more is parted
+/// into subtrees. Throws Error where a panel has more than 2³¹ values.
+SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, EliminationTree tree,
                                double parted_from = kPartedFrom);
 
 }  // namespace foldless

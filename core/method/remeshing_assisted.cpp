@@ -210,7 +210,7 @@ int RemeshingAssisted::flip() {
     StageTimer timer(effort().times.flip);
     flips = flip_edges(mesh_, {energy_.settings, parameters_.eta, parameters_.condition_test});
   }
-  if (flips > 0) system_.follow_flips(mesh_, flips);
+  if (flips > 0) system_.follow_flips(mesh_);
   effort().flips += flips;
   return flips;
 }
@@ -223,14 +223,14 @@ int RemeshingAssisted::split(const RoundEnd& round) {
       off_target);
   const int splits = split_edges(
       mesh_, directions, {.shortest_edge = kShortestEdge * diagonal_, .delta = parameters_.delta});
-  if (splits > 0) system_.rebuild(mesh_, energy_.constraints, splits);
+  if (splits > 0) system_.rebuild(mesh_, energy_.constraints);
   effort().splits += splits;
   return splits;
 }
 
 void RemeshingAssisted::go_back_to(const MeshPair& mesh) {
   mesh_ = mesh;
-  system_.rebuild(mesh_, energy_.constraints, mesh_.edge_count());
+  system_.rebuild(mesh_, energy_.constraints);
   system_.assemble_gradient(energy_, mesh_.deformed());
 }
 

@@ -10,11 +10,6 @@
 namespace foldless {
 namespace {
 
-/// Of a small system. One of so many unknowns is ordered anew whenever an edge has changed: a few
-/// hundred flips under an old ordering were measured to treble the time of its factorization.
-constexpr double kEdgesChangedBeforeReordering = 0.02;
-constexpr int kReorderedFrom = 2000;
-
 /// Unknowns from which on half the memory is worth the second iteration.
 constexpr int kSingleFrom = 4000;
 
@@ -43,9 +38,7 @@ double stiffness_of(const SparseSymmetric& A, std::size_t node) {
 
 }  // namespace
 
-void HessianFactor::outdate_pattern(int edges, int changed_edges) {
-  edges_ = edges;
-  edges_changed_since_ordering_ += changed_edges;
+void HessianFactor::outdate_pattern() {
   is_analyzed_ = false;
   outdate();
 }
@@ -57,11 +50,7 @@ void HessianFactor::forget_mesh() {
 
 void HessianFactor::analyze(const SparseSymmetric& matrix) {
   if (is_analyzed_) return;
-  const bool keep = edges_changed_since_ordering_ == 0 ||
-                    (matrix.size() < kReorderedFrom &&
-                     edges_changed_since_ordering_ <= kEdgesChangedBeforeReordering * edges_);
-  if (!keep) edges_changed_since_ordering_ = 0;
-  cholesky_.analyze(matrix, keep);
+  cholesky_.analyze(matrix);
   is_analyzed_ = true;
 }
 
@@ -102,8 +91,9 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
   }
   ConjugateGradientSolution solution = conjugate_gradients(hessian.matrix, b, cholesky_, settings);
   if (solution.end == ConjugateGradientEnd::stopped) return std::nullopt;
-  is_near_ = solution.iterations < kIterationsOfAFarFactor;
-  if (solution.end == ConjugateGradientEnd::slow) return std::nullopt;
+  const bool is_slow = solution.end == ConjugateGradientEnd::slow;
+  is_near_ = !is_slow && (local || solution.iterations < kIterationsOfAFarFactor);
+  if (is_slow) return std::nullopt;
   return solution;
 }
 

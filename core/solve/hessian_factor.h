@@ -42,10 +42,8 @@ struct CoarseHessian {
 /// one, the Hessian of a coarse mesh in its place. Copyable.
 class HessianFactor {
  public:
-  /// Says that the matrix has another pattern from now on, that of a mesh of so many edges of which
-  /// some changed. The fill-reducing ordering of a small matrix is kept until more than 2 % of the
-  /// edges changed, when it begins to cost more than a new one.
-  void outdate_pattern(int edges, int changed_edges);
+  /// Says that the matrix has another pattern from now on.
+  void outdate_pattern();
   /// Says that the mesh has other vertices from now on, or its handles are others.
   void forget_mesh();
   /// Orders and analyses the pattern where that is due.
@@ -105,8 +103,6 @@ class HessianFactor {
   bool is_own_ = false;   ///< of ∇²E itself, in any precision
   bool is_near_ = false;  ///< to ∇²E, as far as is known
   bool is_single_too_rough_ = false;
-  int edges_ = 0;
-  int edges_changed_since_ordering_ = 0;
 };
 
 }  // namespace foldless

@@ -6,22 +6,19 @@
 namespace foldless {
 
 NewtonSystem::NewtonSystem(const MeshPair& mesh, const Constraints& constraints, Effort& effort)
-    : effort_(&effort), objective_(mesh, constraints) {
-  factor_.outdate_pattern(mesh.edge_count(), 0);
-}
+    : effort_(&effort), objective_(mesh, constraints) {}
 
-void NewtonSystem::rebuild(const MeshPair& mesh, const Constraints& constraints,
-                           int changed_edges) {
+void NewtonSystem::rebuild(const MeshPair& mesh, const Constraints& constraints) {
   StageTimer timer(effort_->times.analyze);
   objective_ = Objective(mesh, constraints);
   factor_.forget_mesh();
-  outdate_pattern(mesh, changed_edges);
+  outdate_pattern();
 }
 
-void NewtonSystem::follow_flips(const MeshPair& mesh, int flips) {
+void NewtonSystem::follow_flips(const MeshPair& mesh) {
   StageTimer timer(effort_->times.analyze);
   objective_.follow_flips(mesh);
-  outdate_pattern(mesh, flips);
+  outdate_pattern();
 }
 
 Hessian NewtonSystem::take_hessian() {
@@ -35,9 +32,9 @@ void NewtonSystem::has_followed(Eigen::VectorXd following) {
   if (followings_.size() > kMost) followings_.pop_back();
 }
 
-void NewtonSystem::outdate_pattern(const MeshPair& mesh, int changed_edges) {
+void NewtonSystem::outdate_pattern() {
   has_pattern_ = false;
-  factor_.outdate_pattern(mesh.edge_count(), changed_edges);
+  factor_.outdate_pattern();
 }
 
 void NewtonSystem::assemble(const Energy& energy, const Points& u, double clamping) {

@@ -20,9 +20,9 @@ class NewtonSystem {
   NewtonSystem(const MeshPair& mesh, const Constraints& constraints, Effort& effort);
 
   /// Follows a changed connectivity with the same hard handles.
-  void rebuild(const MeshPair& mesh, const Constraints& constraints, int changed_edges);
-  /// The same where `flips` edges were flipped and nothing else.
-  void follow_flips(const MeshPair& mesh, int flips);
+  void rebuild(const MeshPair& mesh, const Constraints& constraints);
+  /// The same where edges were flipped and nothing else.
+  void follow_flips(const MeshPair& mesh);
 
   const Objective& objective() const { return objective_; }
   Effort& effort() const { return *effort_; }
@@ -47,7 +47,7 @@ class NewtonSystem {
   void has_followed(Eigen::VectorXd following);
 
  private:
-  void outdate_pattern(const MeshPair& mesh, int changed_edges);
+  void outdate_pattern();
 
   Effort* effort_;
   Objective objective_;

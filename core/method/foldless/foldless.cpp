@@ -200,7 +200,7 @@ Steps<> Foldless::coarse_to_fine() {
   effort().flips += fine->flips;
   effort().splits += fine->splits;
   if (fine->splits == 0)
-    work_.set_flipped_mesh(std::move(fine->mesh), fine->flips);
+    work_.set_flipped_mesh(std::move(fine->mesh));
   else
     work_.set_mesh(std::move(fine->mesh));
   work_.system.factor().set_coarse(coarse_hessian(run.work_, fine->holding, work_.mesh));

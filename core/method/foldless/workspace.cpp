@@ -52,35 +52,35 @@ int Workspace::flip_edges(const EnergySettings& energy, double least_gain) {
     flipped =
         foldless::flip_edges(mesh, {energy, settings->eta, settings->condition_test, least_gain});
   }
-  if (flipped > 0) system.follow_flips(mesh, flipped);
+  if (flipped > 0) system.follow_flips(mesh);
   system.effort().flips += flipped;
   return flipped;
 }
 
 int Workspace::split_edges(const std::vector<MovingDirection>& directions) {
   const int split = foldless::split_edges(mesh, directions, workspace::split_settings(*settings));
-  if (split > 0) system.rebuild(mesh, constraints, split);
+  if (split > 0) system.rebuild(mesh, constraints);
   system.effort().splits += split;
   return split;
 }
 
 void Workspace::refine() {
   system.effort().splits += split_all_edges(mesh, workspace::split_settings(*settings));
-  system.rebuild(mesh, constraints, mesh.edge_count());
+  system.rebuild(mesh, constraints);
 }
 
 int Workspace::split_distorted(double least, int most) {
   SplitSettings split_settings = workspace::split_settings(*settings);
   split_settings.most_splits = most;
   const int split = foldless::split_distorted(mesh, least, split_settings);
-  if (split > 0) system.rebuild(mesh, constraints, split);
+  if (split > 0) system.rebuild(mesh, constraints);
   system.effort().splits += split;
   return split;
 }
 
 int Workspace::collapse_edges(const CollapseSettings& collapse) {
   const int removed = foldless::collapse_edges(mesh, collapse);
-  if (removed > 0) system.rebuild(mesh, constraints, mesh.edge_count());
+  if (removed > 0) system.rebuild(mesh, constraints);
   return removed;
 }
 
@@ -93,7 +93,7 @@ VertexUpdate Workspace::relocate_vertices(const EnergySettings& energy, double l
   const double largest = (moved.deformed() - mesh.deformed()).cwiseAbs().maxCoeff();
   if (fall > 0) {
     mesh = std::move(moved);
-    system.rebuild(mesh, constraints, 0);
+    system.rebuild(mesh, constraints);
   }
   return {.step_length = 1, .step_infinity_norm = largest};
 }
@@ -101,12 +101,12 @@ VertexUpdate Workspace::relocate_vertices(const EnergySettings& energy, double l
 void Workspace::set_mesh(MeshPair other) {
   other.set_stiffness(mesh.stiffness());
   mesh = std::move(other);
-  system.rebuild(mesh, constraints, mesh.edge_count());
+  system.rebuild(mesh, constraints);
 }
 
-void Workspace::set_flipped_mesh(MeshPair other, int flips) {
+void Workspace::set_flipped_mesh(MeshPair other) {
   mesh = std::move(other);
-  system.follow_flips(mesh, flips);
+  system.follow_flips(mesh);
 }
 
 Iteration Workspace::record(const VertexUpdate& update, const Energy& energy, Phase phase) {

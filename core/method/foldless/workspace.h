@@ -74,8 +74,8 @@ struct Workspace {
                                  const std::stop_token& token);
   /// Takes another mesh with the same handle vertices.
   void set_mesh(MeshPair other);
-  /// Takes the same mesh with other positions and so many edges flipped.
-  void set_flipped_mesh(MeshPair other, int flips);
+  /// Takes the same mesh with other positions and edges flipped.
+  void set_flipped_mesh(MeshPair other);
 
   /// The record of an update that lowered `energy`, whatever targets it aimed at.
   Iteration record(const VertexUpdate& update, const Energy& energy, Phase phase);

@@ -145,7 +145,7 @@ TEST_P(CholeskyTest, AnOrderingServesAnotherPatternOfTheSameSize) {
     m.value[static_cast<std::size_t>(place.first_column)] = 2;
     m.value[static_cast<std::size_t>(place.second_column)] = 4;
   }
-  cholesky.analyze(m, true);
+  cholesky.analyze(m);
   ASSERT_TRUE(cholesky.factorize(m));
   const Eigen::VectorXd x = cholesky.solve(Eigen::VectorXd::Ones(m.size()));
   EXPECT_NEAR(x[0], 0.5, 1e-15);
@@ -156,11 +156,29 @@ TEST_P(CholeskyTest, AnOrderingOfAnotherSizeIsNotKept) {
   Cholesky cholesky;
   cholesky.analyze(ring(GetParam() + 3, 1));
   const SparseSymmetric m = ring(GetParam(), 1);
-  cholesky.analyze(m, true);
+  cholesky.analyze(m);
   ASSERT_TRUE(cholesky.factorize(m));
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
   ASSERT_EQ(cholesky.solve(b).size(), b.size());
   EXPECT_LT(residual(m, 0, cholesky.solve(b), b), 1e-12);
+}
+
+TEST(Cholesky, APatternThatHasLittleToDoWithTheOneBeforeIsOrderedAnew) {
+  constexpr int kSide = 40, kNodes = kSide * kSide;
+  // A grid whose nodes are numbered row by row, or in leaps.
+  const auto grid = [](int leap) {
+    std::vector<std::pair<int, int>> edges;
+    for (int i = 0; i < kNodes; ++i) {
+      if ((i + 1) % kSide != 0) edges.emplace_back(i * leap % kNodes, (i + 1) * leap % kNodes);
+      if (i + kSide < kNodes) edges.emplace_back(i * leap % kNodes, (i + kSide) * leap % kNodes);
+    }
+    return sparse_symmetric(kNodes, edges);
+  };
+  Cholesky cholesky, anew;
+  cholesky.analyze(grid(1));
+  cholesky.analyze(grid(391));
+  anew.analyze(grid(391));
+  EXPECT_EQ(cholesky.values(), anew.values());
 }
 
 TEST_P(CholeskyTest, ACopyHasTheFactor) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/linear/cholesky.h"
+#include "core/linear/elimination_tree.h"
 #include "core/linear/ordering.h"
 #include "core/linear/single_precision_solve.h"
 #include "core/linear/sweep.h"
@@ -77,7 +78,8 @@ TEST(Multifrontal, NoticesAnIndefiniteMatrixAtTheColumnWhereItShows) {
     SparseSymmetric m = dominated(random_symmetric(seed), seed);
     std::mt19937 random(seed);
     diagonal(m, std::uniform_int_distribution(0, m.size() - 1)(random)) *= -0.5;
-    const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m));
+    const SymbolicFactor factor =
+        symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)));
     Buffer<double> values;
     values.reserve(factor.values);
     Buffer<std::byte> updates;
@@ -92,7 +94,8 @@ TEST(Multifrontal, PanelsHoldAllRowsOfTheFactorAndFew) {
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SparseSymmetric m = random_symmetric(seed);
-    const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m));
+    const SymbolicFactor factor =
+        symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)));
     int column = 0;
     for (const Supernode& s : factor.supernodes) {
       EXPECT_EQ(s.first, column);
@@ -126,7 +129,8 @@ TEST(Multifrontal, InSinglePrecisionIsTheSameFactorButForRounding) {
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SparseSymmetric m = dominated(random_symmetric(seed), seed);
-    const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m), 0);
+    const SymbolicFactor factor =
+        symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)), 0);
     std::vector<double> values(factor.values);
     std::vector<float> rounded(factor.values), one_thread(factor.values), three(factor.values);
     Buffer<std::byte> updates;
@@ -148,7 +152,8 @@ TEST(Multifrontal, SubtreesGiveTheSameBitsToAnyNumberOfThreads) {
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SparseSymmetric m = dominated(random_symmetric(seed), seed);
-    const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m), 0);
+    const SymbolicFactor factor =
+        symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)), 0);
     parted += factor.subtrees.size() > 1;
     std::vector<std::vector<double>> found;
     for (Team* asked : {static_cast<Team*>(nullptr), &team}) {
@@ -186,7 +191,8 @@ SparseSymmetric of_a_square(int side) {
 
 TEST(Multifrontal, UpdateMatricesOfSubtreesHaveTheSameRoomInTurn) {
   const SparseSymmetric m = of_a_square(150);
-  const SymbolicFactor factor = symbolic_factor(m, fill_reducing_ordering(m), 0);
+  const SymbolicFactor factor =
+      symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)), 0);
   EXPECT_GT(factor.subtrees.size(), 15U);
   EXPECT_LT(2 * factor.subtree_updates + factor.updates, factor.values / 2);
 }

@@ -130,6 +130,39 @@ TEST(HessianFactor, SolvesForNodesByThemselvesWhoseStiffnessChangedEnough) {
   }
 }
 
+/// The Hessian where so many nodes here and there are a little stiffer: what costs iterations, and
+/// is too little for a local solve.
+Hessian propped_hessian(int count) {
+  Hessian propped = hessian(kLargeSize);
+  SparseSymmetric& A = propped.matrix;
+  for (int k = 0; k < count; ++k) {
+    const int node = (2 * k + 1) * A.nodes / (2 * count);
+    const double trace = test::diagonal(A, 2 * node) + test::diagonal(A, 2 * node + 1);
+    add_block(A, node, node, 0.045 * trace * Eigen::Matrix2d::Identity());
+  }
+  return propped;
+}
+
+TEST(HessianFactor, ServesAfterManyIterationsWhereNodesAreSolvedForByThemselves) {
+  const auto solve = [](HessianFactor& factor, int props, bool is_stiffer_somewhere) {
+    Hessian far = propped_hessian(props);
+    if (is_stiffer_somewhere) add_block(far.matrix, 100, 100, 50 * Eigen::Matrix2d::Identity());
+    factor.outdate();
+    return factor.solve_later(far, test::random_values(far.matrix.size(), 5), 1e-4, {});
+  };
+  for (const bool is_stiffer_somewhere : {false, true}) {
+    SCOPED_TRACE(is_stiffer_somewhere);
+    HessianFactor factor = factorized(hessian(kLargeSize));
+    const auto found = solve(factor, 60, is_stiffer_somewhere);
+    ASSERT_TRUE(found);
+    EXPECT_GE(found->iterations, 5) << "the claim would be empty";
+    EXPECT_EQ(factor.is_near(kind()), is_stiffer_somewhere);
+  }
+  HessianFactor factor = factorized(hessian(kLargeSize));
+  EXPECT_FALSE(solve(factor, 320, true)) << "eight iterations are not enough";
+  EXPECT_FALSE(factor.is_near(kind()));
+}
+
 TEST(HessianFactor, SeesThatAFewNodesMakeAHessianIndefinite) {
   HessianFactor factor = factorized(hessian(kLargeSize));
   const Hessian indefinite = changed_hessian(3, -0.5);

@@ -77,7 +77,7 @@ TEST(LaggedStep, AnOutdatedFactorDoesNotServeUntilThereIsANewOne) {
   EXPECT_FALSE(m.lagged(m.energy));
   ASSERT_TRUE(factorize(m.newton, 0));
   EXPECT_TRUE(m.lagged(m.energy));
-  m.newton.rebuild(m.mesh, m.energy.constraints, 0);
+  m.newton.rebuild(m.mesh, m.energy.constraints);
   EXPECT_FALSE(m.lagged(m.energy)) << "a mesh that was made anew";
 }
 

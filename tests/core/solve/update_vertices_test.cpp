@@ -100,7 +100,7 @@ TEST(UpdateVertices, UsesNoFactorOfEarlierTriangles) {
   DampedSystem system = s.system();
   ASSERT_FALSE(relax_vertices(system, s.mesh, s.energy, {}));
   s.mesh.flip(s.mesh.find_edge(5, 10).value());
-  system.follow_flips(s.mesh, 1);
+  system.follow_flips(s.mesh);
   const LineSearchResult expected = searched(s, DenseNewton(s.mesh, s.energy).step());
   update_vertices(system, s.mesh, s.energy, {});
   EXPECT_EQ(s.effort.factorizations, 2);

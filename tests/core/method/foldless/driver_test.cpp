@@ -63,7 +63,7 @@ TEST(Driver, HandlesThatMoveTogetherAreApproachedFromThereAndThenTwiceFromTheMes
 }
 
 TEST(Driver, WhatHasArrivedStaysOnShowUntilALessCrushedMeshIsFound) {
-  Foldless method(test::permutation(3, 20));
+  Foldless method(test::permutation(6, 20));
   int tried = 0;
   double settled = 0;  // its largest σ₁/σ₂; none before the first mesh has
   Phase before = Phase::pursue;
