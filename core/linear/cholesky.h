@@ -35,7 +35,7 @@ class Cholesky {
                  Precision precision = Precision::full);
   /// True when analyze() was called.
   bool is_analyzed() const { return symbolic_ != nullptr; }
-  /// Those of a factor of the pattern, stored zeros too. Precondition: is_analyzed().
+  /// How many values a factor of the pattern has, with stored zeros. Precondition: is_analyzed().
   std::size_t values() const { return symbolic_->values; }
   /// True when the last factorization succeeded and nothing was analysed since.
   bool has_factor() const { return has_factor_; }

@@ -2,7 +2,6 @@
 #include "core/linear/sparse_symmetric.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "core/large_pages.h"
@@ -42,6 +41,7 @@ void make_ranges(SparseSymmetric& m) {
   if (present_team() && m.nodes >= kSharedFrom)
     m.range = std::clamp(m.nodes / kRanges, kFewest, kMost);
   m.crossings.assign(static_cast<std::size_t>(m.nodes > 0 ? (m.nodes - 1) / m.range + 1 : 0), {});
+  if (m.range == m.nodes) return;
   for (int j = 0, end = m.range; j < m.nodes; ++j) {
     if (j == end) end += m.range;
     const auto node = static_cast<std::size_t>(j);
