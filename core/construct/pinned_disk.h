@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/construct/pinned_map.h"
 #include "core/mesh/mesh_pair.h"
 
 namespace foldless {
@@ -14,17 +15,12 @@ struct PinnedVertices {
   std::vector<int> loop, inside;
 };
 
-/// Of classes of maps that with_pinned_disk() tells apart.
-inline constexpr int kClassesOfPinnedDisks = 6;
-
 /// A mesh with another map, and other triangles, of such a component: as with_held_disk(), and the
-/// vertices inside go to targets as well, those of the loop first in `targets`. The disk and its
-/// image are cut open to these vertices, along the curves of a braid, see braided(), or, where that
-/// leaves too many, along the shortest slits, see slit_open(), and the polygons that are left
-/// mapped by compatible_triangulation(). `choice`: of the class of maps, from 0 to
-/// kClassesOfPinnedDisks − 1; one that rounding spoils gives way to others. Nothing where the
-/// targets bound no disk, those of vertices inside are not within, where a disk lies over itself
-/// there, and where rounding leaves a mesh that is not proved locally injective.
+/// vertices inside go to targets as well, those of the loop first in `targets`: by a pinned_map().
+/// `choice`: of the class of maps, from 0 to kClassesOfPinnedDisks − 1; one that rounding spoils
+/// gives way to others. Nothing where the targets bound no disk, those of vertices inside are not
+/// within, where a disk lies over itself there, and where rounding leaves a mesh that is not proved
+/// locally injective.
 std::optional<MeshPair> with_pinned_disk(const MeshPair& mesh, const PinnedVertices& pinned,
                                          const Points& targets, int choice = 0);
 

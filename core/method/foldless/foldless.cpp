@@ -22,6 +22,7 @@
 #include "core/method/foldless/pursue.h"
 #include "core/method/foldless/refine_crushed.h"
 #include "core/method/foldless/refine_distorted.h"
+#include "core/method/foldless/rivals.h"
 #include "core/method/foldless/tidy.h"
 #include "core/method/foldless/transport_plans.h"
 #include "core/method/foldless/whitened_problem.h"
@@ -141,6 +142,7 @@ Steps<Outcome> Foldless::solve(Start start) {
   }
 
   co_await tidy(work_);
+  if (!is_drag && !goes_on && ways.has_cut_free()) co_await try_rivals(work_, ways);
   if (is_drag)
     co_await forget_the_way();
   else if (goes_on)

@@ -2,9 +2,13 @@
 #include "core/method/foldless/other_ways.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <span>
 #include <utility>
 
-#include "core/construct/pinned_disk.h"
+#include "core/construct/pinned_map.h"
 #include "core/method/foldless/approach.h"
 
 namespace foldless {
@@ -17,8 +21,17 @@ constexpr int kRandomOrders = 16;
 /// Handles that may be cut to in all classes of maps that are tried, for each takes the longer the
 /// more there are; of more than so many there is one class.
 constexpr int kHandlesOfAllClasses = 80, kMostInManyClasses = 20;
+/// Of which a free boundary is cut, the quickest first. With the transports of a rival the second
+/// one found more than any other.
+constexpr std::array kClassesOfFreeCuts = {kClassOfShortestSlits, 4};
 /// One of so many is refined when nothing else helped.
 constexpr int kLargestRefined = 2000;
+
+std::array<int, kClassesOfPinnedDisks> all_classes() {
+  std::array<int, kClassesOfPinnedDisks> classes;
+  std::iota(classes.begin(), classes.end(), 0);
+  return classes;
+}
 
 }  // namespace trying_ways
 
@@ -33,17 +46,17 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
       transport_plans(starts, targets, faces <= kLargestInManyOrders ? kRandomOrders : 0);
 
   std::vector<Way> ways;
-  const auto add_cuts = [&](KnownBoundary boundary, int most_classes) {
+  const auto add_cuts = [&](CutBoundary boundary, std::span<const int> classes) {
     const int handles = handles_to_cut(rest, constraints, boundary);
-    const int classes = handles > kMostInManyClasses
-                            ? 1
-                            : std::min(most_classes, kHandlesOfAllClasses / std::max(handles, 1));
-    for (int choice = 0; handles > 0 && choice < classes; ++choice)
+    if (handles == 0) return;
+    const int most = handles > kMostInManyClasses ? 1 : kHandlesOfAllClasses / handles;
+    for (const int choice : classes.first(std::min(classes.size(), static_cast<std::size_t>(most))))
       ways.push_back({.kind = Way::Kind::cut, .boundary = boundary, .choice = choice});
   };
+  add_cuts(CutBoundary::free, kClassesOfFreeCuts);
   if (with_approach) ways.push_back({.kind = Way::Kind::approach});
   for (std::size_t i = 0; i < first; ++i) ways.push_back({.plan = plans[i]});
-  add_cuts(KnownBoundary::held, kClassesOfPinnedDisks);
+  add_cuts(CutBoundary::held, all_classes());
   for (const bool is_refined : {false, true})
     ways.push_back({.kind = Way::Kind::onwards, .is_refined = is_refined});
   for (std::size_t i = first; i < plans.size(); ++i)
@@ -51,16 +64,16 @@ std::vector<Way> other_ways(const MeshPair& rest, const Constraints& constraints
   if (faces <= kLargestRefined)
     for (const TransportPlan& plan : plans)
       ways.push_back({.plan = plan, .is_refined = true, .goes_in_rounds = true});
-  add_cuts(KnownBoundary::at_rest, 1);
   return ways;
 }
 
 // A transport that locks nearer to the targets than anything before goes on as an approach. What
-// comes after a cut that arrives takes seconds and hardly ever arrives as well.
+// comes after a cut of a held disk that arrives takes seconds and hardly ever arrives as well.
 Steps<Progress> OtherWays::try_next(Workspace& work) {
   if (!ways_) {
     rest_ = {problem_.mesh.triangles(), problem_.mesh.rest(), problem_.at_rest()};
     ways_ = other_ways(rest_, work.constraints, with_approach_);
+    locked_error_ = work.error();
   }
   const Way way = (*ways_)[next_++];
   if (way.kind == Way::Kind::onwards && !nearest_) co_return Progress::locked;
@@ -72,10 +85,14 @@ Steps<Progress> OtherWays::try_next(Workspace& work) {
   const bool is_transport = way.kind == Way::Kind::transport || way.kind == Way::Kind::onwards;
   if (progress == Progress::locked && is_transport) {
     if (!nearest_ || other.error() < nearest_->error()) nearest_ = other;
-    if (other.error() < work.error()) progress = co_await approach(other, FactorUse::own);
+    if (other.error() < locked_error_) progress = co_await approach(other, FactorUse::own);
   }
+  if (progress == Progress::locked) locked_error_ = std::min(locked_error_, other.error());
   if (progress == Progress::arrived || other.error() < work.error()) work = std::move(other);
-  if (progress == Progress::arrived && way.kind == Way::Kind::cut) leave_only_cuts();
+  if (progress == Progress::arrived && way.kind == Way::Kind::cut) {
+    if (way.boundary == CutBoundary::held) leave_only_cuts();
+    has_cut_free_ = has_cut_free_ || way.boundary == CutBoundary::free;
+  }
   co_return progress;
 }
 

@@ -84,7 +84,8 @@ TEST(Foldless, IsValidOnRandomScenesWhateverIsCancelledAndResumed) {
     }
   }
   // The claim would be empty if a stage were never entered.
-  EXPECT_EQ(phases, (std::set{Phase::approach, Phase::transport, Phase::pursue, Phase::settle}));
+  EXPECT_EQ(phases, (std::set{Phase::approach, Phase::transport, Phase::pursue, Phase::settle,
+                              Phase::construct}));
 }
 
 TEST(Foldless, NewTargetsStartFromTheMeshAsItIs) {

@@ -98,6 +98,26 @@ TEST(Hop, ThatGainsLessThanAHundredthIsTheLast) {
   EXPECT_GE(not_last, 3);
 }
 
+TEST(Hop, IsNotMadeOfAMeshThatWasDeformedBefore) {
+  int deformed = 0;
+  for (std::uint64_t seed = 1; seed <= 200 && deformed < 5; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    OwnWorkspace own = trading_workspace(seed);
+    if (!arrives_and_settles(own) || largest_distortion(own.work.mesh) <= kHardlyDistorted ||
+        largest_distortion(own.work.mesh) > 90)  // candidates would compete
+      continue;
+    Problem frame = test::trading_places(seed);
+    frame.mesh = own.work.mesh;
+    Foldless method(frame);
+    const int of_frame = test::run_validly(method).back().factorizations;
+    own.effort.factorizations = 0;
+    test::run_to_the_end(hop(own.work));
+    EXPECT_LT(2 * of_frame, own.effort.factorizations);
+    ++deformed;
+  }
+  EXPECT_EQ(deformed, 5) << "the claim would be empty";
+}
+
 TEST(Hop, CostsNothingWhereTheMapIsHardlyDistortedOrTheMeshIsLarge) {
   const auto factorizations_of_squeezed = [](int cells, double factor) {
     const Shape shape = grid({.columns = cells, .rows = cells, .width = 1, .height = 1});

@@ -13,7 +13,7 @@ namespace foldless::test {
 /// and crushed triangles, and tidies. False where that fails.
 inline bool arrive_distorted(Workspace& work) {
   constexpr int kSlits = 2;
-  if (run_to_the_end(cut_to_handles(work, KnownBoundary::held, kSlits)) != Progress::arrived)
+  if (run_to_the_end(cut_to_handles(work, CutBoundary::held, kSlits)) != Progress::arrived)
     return false;
   run_to_the_end(tidy(work));
   return true;
