@@ -3,11 +3,9 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <unordered_set>
+#include <set>
 #include <utility>
 
-#include "core/construct/directed_edge.h"
 #include "core/mesh/orientation.h"
 
 namespace foldless {
@@ -40,8 +38,7 @@ class Engraver {
         return (mesh_.rest().col(of) - mesh_.rest().col(end)).squaredNorm();
       };
       if (next < 0 || distance(next) >= distance(v) || (next != end && !meet(next))) return false;
-      outline_.push_back({v, next});
-      is_outline_.insert(directed_edge(v, next));
+      outline_.insert({v, next});
       v = next;
     }
     return true;
@@ -53,10 +50,13 @@ class Engraver {
     std::vector<int> index(number(mesh_.vertex_count()), -1), vertices = corners_;
     for (std::size_t i = 0; i < corners_.size(); ++i)
       index[number(corners_[i])] = static_cast<int>(i);
+    std::vector<int> kept;
     std::vector<bool> is_used(index.size(), false);
-    for (int t = 0; t < mesh_.face_count(); ++t)
-      for (const int v : mesh_.triangles().col(t))
-        is_used[number(v)] = is_used[number(v)] || is_left[number(t)];
+    for (int t = 0; t < mesh_.face_count(); ++t) {
+      if (!is_left[number(t)]) continue;
+      kept.push_back(t);
+      for (const int v : mesh_.triangles().col(t)) is_used[number(v)] = true;
+    }
     for (int v = 0; v < mesh_.vertex_count(); ++v) {
       if (!is_used[number(v)] || index[number(v)] >= 0) continue;
       index[number(v)] = static_cast<int>(vertices.size());
@@ -65,9 +65,6 @@ class Engraver {
     for (const auto& [from, to] : outline_)
       if (const int right = triangle_left_of(to, from); right >= 0 && is_left[number(right)])
         return std::nullopt;
-    std::vector<int> kept;
-    for (int t = 0; t < mesh_.face_count(); ++t)
-      if (is_left[number(t)]) kept.push_back(t);
     Triangles triangles = mesh_.triangles()(Eigen::all, kept);
     for (int& v : triangles.reshaped()) v = index[number(v)];
     return MeshPair(triangles, mesh_.rest()(Eigen::all, vertices),
@@ -82,20 +79,12 @@ class Engraver {
     return is_on_outline_[number(v)] = true;
   }
 
-  Eigen::Vector3d barycentric_of(const Vec2& p, int t) const {
-    const Eigen::Vector3i corners = mesh_.triangles().col(t);
-    const Vec2 a = mesh_.rest().col(corners[0]), b = mesh_.rest().col(corners[1]),
-               c = mesh_.rest().col(corners[2]);
-    return Eigen::Vector3d(signed_area(b, c, p), signed_area(c, a, p), signed_area(a, b, p)) /
-           signed_area(a, b, c);
-  }
-
   /// One that is there, or a new one.
   int vertex_at(const Vec2& p) {
     int triangle = 0;
-    Eigen::Vector3d place = barycentric_of(p, 0);
+    Eigen::Vector3d place = barycentric_of(mesh_.rest(), mesh_.triangles().col(0), p);
     for (int t = 1; t < mesh_.face_count(); ++t) {
-      const Eigen::Vector3d in_t = barycentric_of(p, t);
+      const Eigen::Vector3d in_t = barycentric_of(mesh_.rest(), mesh_.triangles().col(t), p);
       if (in_t.minCoeff() <= place.minCoeff()) continue;
       triangle = t;
       place = in_t;
@@ -122,9 +111,8 @@ class Engraver {
   /// The end of the first piece of the way from a to b; −1 where it would cross the outline.
   int next_on_the_way(int a, int b) {
     const Points& rest = mesh_.rest();
-    const std::vector<int> round = mesh_.triangles_of_vertex(a);
-    std::vector<std::array<int, 2>> opposite;  // sides of the triangles
-    for (const int t : round) {
+    std::vector<std::array<int, 2>> opposite;  // sides of the triangles at a
+    for (const int t : mesh_.triangles_of_vertex(a)) {
       const Eigen::Vector3i corners = mesh_.triangles().col(t);
       const int i = corners[0] == a ? 0 : corners[1] == a ? 1 : 2;
       opposite.push_back({corners[(i + 1) % 3], corners[(i + 2) % 3]});
@@ -145,9 +133,12 @@ class Engraver {
     const double t = right / (right + left);
     if (t < kNearby) return p;
     if (t > 1 - kNearby) return q;
-    if (is_outline_.contains(directed_edge(p, q)) || is_outline_.contains(directed_edge(q, p)))
-      return -1;
+    if (is_outline(p, q)) return -1;
     return split_edge(p, q, t);
+  }
+
+  bool is_outline(int a, int b) const {
+    return outline_.contains({a, b}) || outline_.contains({b, a});
   }
 
   /// −1: none.
@@ -174,19 +165,16 @@ class Engraver {
       stack.pop_back();
       for (int i = 0; i < 3; ++i) {
         const int from = corners[i], to = corners[(i + 1) % 3];
-        if (!is_outline_.contains(directed_edge(from, to)) &&
-            !is_outline_.contains(directed_edge(to, from)))
-          reach(triangle_left_of(to, from));
+        if (!is_outline(from, to)) reach(triangle_left_of(to, from));
       }
     }
     return is_left;
   }
 
   MeshPair mesh_;
-  std::vector<int> corners_;                      ///< vertices
-  std::vector<bool> is_on_outline_;               ///< by vertex
-  std::vector<std::array<int, 2>> outline_;       ///< from vertex to vertex
-  std::unordered_set<std::uint64_t> is_outline_;  ///< the same
+  std::vector<int> corners_;              ///< vertices
+  std::vector<bool> is_on_outline_;       ///< by vertex
+  std::set<std::array<int, 2>> outline_;  ///< from vertex to vertex
 };
 
 }  // namespace

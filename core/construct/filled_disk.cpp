@@ -62,7 +62,7 @@ class FilledDisk {
   /// False where two vertices are at one crossing, or one is at a corner.
   bool place(int v, int t) {
     const Eigen::Vector3i corners = coarse_.triangles().col(t);
-    Eigen::Vector3d barycentric = barycentric_of(mesh_.rest().col(v), corners);
+    Eigen::Vector3d barycentric = barycentric_of(coarse_.rest(), corners, mesh_.rest().col(v));
     std::vector<int> off_sides;
     for (int i = 0; i < 3; ++i) {
       if (barycentric[i] >= kLeastBarycentric || is_boundary_side(corners, i))
@@ -79,13 +79,6 @@ class FilledDisk {
     }
     deformed_.col(v) = coarse_.deformed()(Eigen::all, corners) * barycentric / barycentric.sum();
     return true;
-  }
-
-  Eigen::Vector3d barycentric_of(const Vec2& p, const Eigen::Vector3i& corners) const {
-    const Vec2 a = coarse_.rest().col(corners[0]), b = coarse_.rest().col(corners[1]),
-               c = coarse_.rest().col(corners[2]);
-    return Eigen::Vector3d(signed_area(b, c, p), signed_area(c, a, p), signed_area(a, b, p)) /
-           signed_area(a, b, c);
   }
 
   /// The side is that opposite of a corner.

@@ -30,21 +30,23 @@ Points rectangle_round(const Points& rest, const Points& targets) {
 
 std::optional<MeshPair> with_free_domain(const MeshPair& mesh, const PinnedDomain& domain,
                                          const Points& targets, int choice) {
-  std::vector<int> corners, pinned_vertex(static_cast<std::size_t>(mesh.vertex_count()), -1);
+  std::vector<int> corners;
+  for (const std::vector<int>& loop : domain.loops)
+    corners.insert(corners.end(), loop.begin(), loop.end());
+  const Points rectangle = rectangle_round(mesh.rest()(Eigen::all, corners), targets);
+  // The map has the corners of the rectangle first, then what is pinned.
+  std::vector<int> vertex_of_map(static_cast<std::size_t>(mesh.vertex_count()), -1);
   for (std::size_t i = 0; i < domain.pinned.size(); ++i)
-    pinned_vertex[static_cast<std::size_t>(domain.pinned[i])] = static_cast<int>(i);
+    vertex_of_map[static_cast<std::size_t>(domain.pinned[i])] =
+        static_cast<int>(rectangle.cols()) + static_cast<int>(i);
   std::vector<std::vector<OutlineCorner>> loops;
   for (const std::vector<int>& loop : domain.loops) {
     loops.emplace_back();
-    for (const int v : loop) {
-      const int pinned = pinned_vertex[static_cast<std::size_t>(v)];
-      loops.back().push_back({mesh.rest().col(v), pinned < 0 ? -1 : 4 + pinned});
-      corners.push_back(v);
-    }
+    for (const int v : loop)
+      loops.back().push_back({mesh.rest().col(v), vertex_of_map[static_cast<std::size_t>(v)]});
   }
   for (const int v : domain.pinned)
     if (std::ranges::find(corners, v) == corners.end()) corners.push_back(v);
-  const Points rectangle = rectangle_round(mesh.rest()(Eigen::all, corners), targets);
   const auto within = [&](const MeshPair& whole) -> std::optional<MeshPair> {
     const std::optional<MeshPair> part = engraved(whole, loops);
     if (!part) return std::nullopt;

@@ -26,6 +26,14 @@ inline double signed_area(const Points& points, const Eigen::Vector3i& t) {
   return signed_area(points.col(t[0]), points.col(t[1]), points.col(t[2]));
 }
 
+/// Barycentric coordinates of a point in one triangle of a mesh; negative where it is outside.
+inline Eigen::Vector3d barycentric_of(const Points& points, const Eigen::Vector3i& t,
+                                      const Vec2& p) {
+  const Vec2 a = points.col(t[0]), b = points.col(t[1]), c = points.col(t[2]);
+  return Eigen::Vector3d(signed_area(b, c, p), signed_area(c, a, p), signed_area(a, b, p)) /
+         signed_area(a, b, c);
+}
+
 /// Gradients of the three hat functions of a triangle of rest area `area`, one a column. [1/length]
 inline Eigen::Matrix<double, 2, 3> hat_gradients(const Vec2& a, const Vec2& b, const Vec2& c,
                                                  double area) {

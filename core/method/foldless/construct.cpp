@@ -12,14 +12,6 @@
 namespace foldless {
 namespace constructing {
 
-std::vector<int> vertices_of(const std::vector<int>& handles, const Constraints& constraints) {
-  std::vector<int> vertices;
-  vertices.reserve(handles.size());
-  for (const int handle : handles)
-    vertices.push_back(constraints.vertices[static_cast<std::size_t>(handle)]);
-  return vertices;
-}
-
 /// Disks that `start` does not have where they are to be.
 std::vector<const PrescribedRegion*> disks_to_construct(
     const MeshPair& start, const std::vector<PrescribedRegion>& regions,

@@ -29,14 +29,6 @@ struct FreeDomain {
   Points targets;
 };
 
-std::vector<int> vertices_of(const std::vector<int>& handles, const Constraints& constraints) {
-  std::vector<int> vertices;
-  vertices.reserve(handles.size());
-  for (const int handle : handles)
-    vertices.push_back(constraints.vertices[static_cast<std::size_t>(handle)]);
-  return vertices;
-}
-
 std::vector<HeldDisk> held_disks(const MeshPair& rest, const Constraints& constraints) {
   std::vector<HeldDisk> disks;
   for (const PrescribedRegion& region : prescribed_regions(rest, constraints)) {
@@ -119,13 +111,11 @@ std::optional<MeshPair> cut_open(MeshPair rest, const Constraints& constraints,
     rest = *std::move(next);
     return true;
   };
-  if (boundary == CutBoundary::held) {
-    for (const auto& [vertices, targets] : cutting::held_disks(rest, constraints))
-      if (!go_on_with(with_pinned_disk(rest, vertices, targets, choice))) return std::nullopt;
-  } else {
+  if (boundary == CutBoundary::free)
     for (const auto& [vertices, targets] : cutting::free_domains(rest, constraints))
       if (!go_on_with(with_free_domain(rest, vertices, targets, choice))) return std::nullopt;
-  }
+  for (const auto& [vertices, targets] : cutting::held_disks(rest, constraints))
+    if (!go_on_with(with_pinned_disk(rest, vertices, targets, choice))) return std::nullopt;
   return rest;
 }
 

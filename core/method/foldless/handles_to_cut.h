@@ -20,8 +20,9 @@ enum class CutBoundary {
 int handles_to_cut(const MeshPair& rest, const Constraints& constraints, CutBoundary boundary);
 
 /// A mesh at rest with a map of these components that has their handles on their targets, whatever
-/// was in the way: with_pinned_disk(), with_free_domain(). `choice`: of the class of maps, see
-/// pinned_map(). Nothing where one of them makes nothing.
+/// was in the way: with_pinned_disk(), with_free_domain(). Beside a free boundary those that are
+/// held are cut as well, for handles may have to make room in both. `choice`: of the class of maps,
+/// see pinned_map(). Nothing where one of them makes nothing.
 std::optional<MeshPair> cut_open(MeshPair rest, const Constraints& constraints,
                                  CutBoundary boundary, int choice);
 

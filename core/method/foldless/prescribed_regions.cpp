@@ -90,6 +90,13 @@ std::vector<PrescribedRegion> prescribed_regions(const MeshPair& mesh,
   return regions;
 }
 
+std::vector<int> vertices_of(const std::vector<int>& handles, const Constraints& constraints) {
+  std::vector<int> vertices;
+  vertices.reserve(handles.size());
+  for (const int handle : handles) vertices.push_back(constraints.vertices[at(handle)]);
+  return vertices;
+}
+
 std::vector<int> boundary_vertices(const std::vector<PrescribedRegion>& regions,
                                    const Constraints& constraints) {
   std::vector<int> vertices;

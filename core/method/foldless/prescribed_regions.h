@@ -21,6 +21,9 @@ struct PrescribedRegion {
 std::vector<PrescribedRegion> prescribed_regions(const MeshPair& mesh,
                                                  const Constraints& constraints);
 
+/// Those of handles, in their order.
+std::vector<int> vertices_of(const std::vector<int>& handles, const Constraints& constraints);
+
 /// The vertices of their boundaries, sorted.
 std::vector<int> boundary_vertices(const std::vector<PrescribedRegion>& regions,
                                    const Constraints& constraints);

@@ -56,10 +56,7 @@ Vec2 image_of(const MeshPair& mesh, const Vec2& p) {
   Vec2 image = Vec2::Zero();
   double deepest = -1;
   for (const auto& t : mesh.triangles().colwise()) {
-    const Vec2 a = mesh.rest().col(t[0]), b = mesh.rest().col(t[1]), c = mesh.rest().col(t[2]);
-    const Eigen::Vector3d place =
-        Eigen::Vector3d(signed_area(b, c, p), signed_area(c, a, p), signed_area(a, b, p)) /
-        signed_area(a, b, c);
+    const Eigen::Vector3d place = barycentric_of(mesh.rest(), t, p);
     if (place.minCoeff() <= deepest) continue;
     deepest = place.minCoeff();
     image = mesh.deformed()(Eigen::all, Eigen::Vector3i(t)) * place;

@@ -57,6 +57,37 @@ TEST(CutToHandles, BringsHandlesOfAFreeBoundaryAndThoseInsideToTheirTargets) {
   }
 }
 
+/// Two problems as one of two components, the second one far to the right.
+Problem side_by_side(const Problem& left, const Problem& right) {
+  const int vertices = left.mesh.vertex_count(), handles = static_cast<int>(left.handles.size());
+  const Vec2 way(10, 0);
+  Triangles triangles(3, left.mesh.face_count() + right.mesh.face_count());
+  triangles << left.mesh.triangles(), (right.mesh.triangles().array() + vertices).matrix();
+  Points rest(2, vertices + right.mesh.vertex_count());
+  rest << left.mesh.rest(), right.mesh.rest().colwise() + way;
+  Problem both = left;
+  both.mesh = MeshPair(triangles, rest);
+  for (Handle handle : right.handles) {
+    handle.id += handles;
+    handle.vertex += vertices;
+    handle.target += way;
+    both.handles.push_back(handle);
+  }
+  return both;
+}
+
+TEST(CutToHandles, ConstructsDisksThatAreHeldBesideAFreeBoundary) {
+  const Problem held = permutation(1, 8), free = permutation(1, 4, CutBoundary::free);
+  OwnWorkspace own = test::workspace_of(side_by_side(held, free));
+  const MeshPair& mesh = own.work.mesh;
+  const Constraints& constraints = own.work.constraints;
+  EXPECT_EQ(handles_to_cut(mesh, constraints, CutBoundary::free), 4 + 15);
+  const auto cut = cut_open(mesh, constraints, CutBoundary::free, 0);
+  ASSERT_TRUE(cut);
+  EXPECT_TRUE(test::is_valid(*cut));
+  EXPECT_EQ(Points(cut->deformed()(Eigen::all, constraints.vertices)), constraints.targets);
+}
+
 TEST(CutToHandles, IsForHeldDisksWithAHandleInsideAndForFreeBoundariesWhereOneIsOffItsTarget) {
   const auto handles = [](const Problem& problem, CutBoundary boundary) {
     return handles_to_cut(problem.mesh, constraints_of(problem.handles), boundary);
