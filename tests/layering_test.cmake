@@ -67,7 +67,7 @@ may_include("core/files/.*" "${FILES}|<CGAL/.*>")
 may_include("core/depth/.*" "${MESH}|core/depth/.*")
 may_include("core/motion/.*" "${MESH}|core/motion/.*|<gmpxx\\.h>")
 may_include("core/rig/.*" "${MESH}|core/rig/.*")
-may_include("core/linear/.*" "${LINEAR}|<(amd|immintrin|arm_neon)\\.h>")
+may_include("core/linear/.*" "${LINEAR}|<(amd|cpuid|immintrin|arm_neon)\\.h>")
 may_include("core/cone/.*" "${LINEAR}|core/cone/.*")
 may_include("core/energy/.*" "${ENERGY}")
 may_include("core/solve/.*" "${ENERGY}|core/(linear|solve)/.*")
@@ -100,7 +100,8 @@ only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui b
 only_in("app/gui/fontconfig\\.h" "<fontconfig/" "fontconfig belongs to app/gui/fontconfig.h")
 only_in("render/osmesa\\.h" "<GL/osmesa\\.h>" "OSMesa belongs to osmesa.h")
 only_in("core/linear/ordering\\.cpp" "<(amd|cholmod)\\.h>" "SuiteSparse belongs to ordering.cpp")
-only_in("core/linear/(dense_kernels_(avx2|avx512|neon)|single_precision_solve)\\.cpp" "<(immintrin|arm_neon)\\.h>"
+only_in("core/linear/(dense_kernels_(avx2|avx512|neon)\\.cpp|(single|half)_precision_solve\\.cpp|node_vectors\\.h)"
+        "<(cpuid|immintrin|arm_neon)\\.h>"
         "instructions of one processor belong to its kernels")
 only_in("app/gui/gio\\.h" "<gio/" "GIO belongs to gio.h")
 only_in("core/data_path\\.cpp|render/late_function\\.cpp" "<(dlfcn|link)\\.h>"

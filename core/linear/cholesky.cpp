@@ -50,7 +50,7 @@ void Cholesky::analyze(const SparseSymmetric& matrix) {
 }
 
 bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision precision) {
-  has_factor_ = single_is_of_the_factor_ = false;
+  has_factor_ = single_is_of_the_factor_ = half_is_of_the_factor_ = false;
   precision_ = solves_in_single_precision() ? precision : Precision::full;
   if (precision_ == Precision::single) {
     float* single = new_single();
@@ -66,6 +66,19 @@ bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision 
     if (is_many) work_.updates = {};
   }
   return has_factor_;
+}
+
+void Cholesky::copy_in_single() {
+  if (single_is_of_the_factor_) return;
+  to_single_precision(*symbolic_, values_->data(), new_single());
+  single_is_of_the_factor_ = true;
+}
+
+void Cholesky::round_to_half() {
+  if (half_is_of_the_factor_) return;
+  if (!half_ || half_.use_count() > 1) half_ = std::make_shared<HalfFactor>();
+  to_half_precision(*symbolic_, single_->data(), *half_);
+  half_is_of_the_factor_ = true;
 }
 
 float* Cholesky::new_single() {
@@ -100,10 +113,11 @@ Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
   const double scale = largest_magnitude(right_hand_side);
   if (scale == 0) return Eigen::VectorXd::Zero(right_hand_side.size());
   if (!solves_in_single_precision()) return solve(right_hand_side);
-  if (!single_is_of_the_factor_) {
-    to_single_precision(*symbolic_, values_->data(), new_single());
-    single_is_of_the_factor_ = true;
-  }
+  const bool is_rounded = precision_ == Precision::single;
+  if (is_rounded)
+    round_to_half();
+  else
+    copy_in_single();
   work_.single_in_order.reserve(static_cast<std::size_t>(symbolic_->solve_size()));
   work_.single_scratch.reserve(sweep_work_size(*symbolic_, kSingleOverrun));
   float* x = work_.single_in_order.data();
@@ -111,7 +125,10 @@ Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
     for (Eigen::Index i = 0; i < 2; ++i)
       x[k + i] = static_cast<float>(right_hand_side[node + i] / scale);
   });
-  triangular_solve_single(*symbolic_, single_->data(), x, work_.single_scratch.data());
+  if (is_rounded)
+    triangular_solve_half(*symbolic_, *half_, x, work_.single_scratch.data());
+  else
+    triangular_solve_single(*symbolic_, single_->data(), x, work_.single_scratch.data());
   Eigen::VectorXd solution(right_hand_side.size());
   for_pairs([&](Eigen::Index k, Eigen::Index node) {
     for (Eigen::Index i = 0; i < 2; ++i) solution[node + i] = scale * x[k + i];

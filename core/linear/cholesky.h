@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/linear/buffer.h"
+#include "core/linear/half_precision_solve.h"
 #include "core/linear/sparse_symmetric.h"
 #include "core/linear/symbolic_factor.h"
 
@@ -43,9 +44,9 @@ class Cholesky {
   Precision precision() const { return precision_; }
   /// Solves with the factor. Precondition: has_factor(), in full precision.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side);
-  /// The same to about five digits where the factor is well conditioned: in single precision, which
-  /// is half of what the memory has to bring, on processors that have the instructions for it.
-  /// Precondition: has_factor().
+  /// The same to about five digits where the factor is well conditioned, in single precision, or to
+  /// three from one that was made in single precision, which is kept in half: so little has the
+  /// memory to bring on processors that have the instructions for it. Precondition: has_factor().
   Eigen::VectorXd precondition(const Eigen::VectorXd& right_hand_side);
 
  private:
@@ -66,12 +67,16 @@ class Cholesky {
   void for_pairs(const Visit& visit) const;
   /// Room for the factor in single precision.
   float* new_single();
+  void copy_in_single();
+  void round_to_half();
 
   double ordered_work_ = 0;  ///< by the last ordering that was made anew
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::shared_ptr<Buffer<double>> values_;
   std::shared_ptr<Buffer<float>> single_;
   bool single_is_of_the_factor_ = false;
+  std::shared_ptr<HalfFactor> half_;
+  bool half_is_of_the_factor_ = false;
   Precision precision_ = Precision::full;
   Work work_;
   std::stop_token token_;

@@ -21,10 +21,6 @@ constexpr double kLeastGainOfSinglePrecision = 1e-5;
 /// Of a guess that is nearly in the span of others less than this part of pᵀAp is its own.
 constexpr double kLeastOwnPart = 1e-6;
 
-/// After an iteration of length 1 + ε from the matrix's own factor in single precision, the next
-/// was measured to gain up to some 20 ε² of what that did.
-constexpr double kGainOfSquare = 25;
-
 /// Some vectors p, their images A p, and a residual r.
 struct Guesses {
   std::vector<const Eigen::VectorXd*> p;
@@ -137,9 +133,6 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
     decrease += gain;
     add_multiple(length, direction, solution.x);
     if (gain <= settings.least_gain * decrease) return solution;
-    const double missing = length - 1;
-    if (settings.is_of_own_factor && kGainOfSquare * missing * missing <= settings.least_gain)
-      return solution;
     if (++solution.iterations >= settings.most_iterations || is_slow) {
       solution.end = ConjugateGradientEnd::slow;
       return solution;

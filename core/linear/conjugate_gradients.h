@@ -38,9 +38,6 @@ struct ConjugateGradientSettings {
   /// The method gives up where an iteration but the first lowers ½xᵀAx − bᵀx by more than this part
   /// of what those before it did: many more would follow.
   double largest_gain = std::numeric_limits<double>::infinity();
-  /// M = A but for rounding, so that an iteration of about length 1 leaves little: where the square
-  /// of what is missing is far below `least_gain`, it is the last.
-  bool is_of_own_factor = false;
   /// Of some nodes of A, where the residual is made zero in the beginning and stays so.
   LocalSolve* local = nullptr;
   std::stop_token token = {};             ///< once it is set the method stops

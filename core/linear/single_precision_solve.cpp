@@ -2,12 +2,14 @@
 #include "core/linear/single_precision_solve.h"
 
 #ifdef __x86_64__
+#include <cpuid.h>
 #include <immintrin.h>
 #endif
 
 #include <algorithm>
 #include <cstddef>
 
+#include "core/linear/node_vectors.h"
 #include "core/linear/sweep.h"
 
 namespace foldless {
@@ -91,10 +93,6 @@ FOLDLESS_AVX2 void backward_columns(const SingleColumns<Columns>& s, float* work
   }
 }
 
-FOLDLESS_AVX2 __m128 load_pair(const float* p) {
-  return _mm_loadl_pi(_mm_setzero_ps(), reinterpret_cast<const __m64*>(p));
-}
-
 /// forward_single() of a supernode of two columns, without a copy of what it works on.
 FOLDLESS_AVX2 void forward_pair(const Supernode& s, const int* node, const float* a, float* x) {
   const float* b = a + s.rows();
@@ -145,14 +143,6 @@ FOLDLESS_AVX2 void forward_single(const Supernode& s, const int* node, const flo
   }
 }
 
-/// The values of so many nodes, four at most, and zeros.
-FOLDLESS_AVX2 __m256 load_pairs(const float* x, const int* node, int count) {
-  const auto pair = [&](int k) {
-    return k < count ? load_pair(x + 2 * static_cast<std::ptrdiff_t>(node[k])) : _mm_setzero_ps();
-  };
-  return _mm256_set_m128(_mm_movelh_ps(pair(2), pair(3)), _mm_movelh_ps(pair(0), pair(1)));
-}
-
 /// x becomes L⁻ᵀ x.
 // NOLINTNEXTLINE(readability-function-size): a kernel, which is called for every supernode
 FOLDLESS_AVX2 void backward_single(const Supernode& s, const int* node, const float* value,
@@ -163,7 +153,7 @@ FOLDLESS_AVX2 void backward_single(const Supernode& s, const int* node, const fl
   // In stores as wide as the loads that follow: from narrower ones they would have to wait.
   _mm256_storeu_ps(work + rows, _mm256_setzero_ps());
   for (int i = 0; i < s.below; i += kLanes, node += kLanes / 2)
-    _mm256_storeu_ps(work + s.columns + i, load_pairs(x, node, (s.below - i) / 2));
+    _mm256_storeu_ps(work + s.columns + i, load_nodes(x, node, (s.below - i) / 2));
   if (wide < s.columns)
     backward_columns<2>({value + static_cast<std::ptrdiff_t>(wide) * rows, rows, wide}, work);
   for (int j = wide - 4; j >= 0; j -= 4)
@@ -176,7 +166,11 @@ FOLDLESS_AVX2 void backward_single(const Supernode& s, const int* node, const fl
 }  // namespace
 
 bool solves_in_single_precision() {
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  static const bool has_f16c = [] {  // clang 14 has no name for it
+    unsigned eax = 0, ebx = 0, ecx = 0, edx = 0;
+    return __get_cpuid(1, &eax, &ebx, &ecx, &edx) != 0 && (ecx & bit_F16C) != 0;
+  }();
+  return has_f16c && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 }
 
 void triangular_solve_single(const SymbolicFactor& factor, const float* single, float* x,

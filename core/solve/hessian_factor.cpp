@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solve/hessian_factor.h"
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "core/linear/single_precision_solve.h"
@@ -23,10 +25,13 @@ constexpr int kIterationsOfAFarFactor = 5;
 constexpr int kMostCoarseIterations = 8;
 constexpr double kLargestGainOfCoarse = 0.5;
 
-/// A node whose stiffness changed by this factor is solved for by itself, with its neighbours,
-/// where they are not more than this part of all nodes.
-constexpr double kChangedStiffness = 1.1;
-constexpr double kMostChangedNodes = 0.05;
+/// Nodes whose stiffness changed by more than a factor are solved for by themselves, with so many
+/// rings of neighbours: by the first factor for which these are no more than this part of all
+/// nodes, or than a hundred, whose factor is always small beside that of all.
+constexpr double kChangedStiffness[] = {1.05, 1.1, 1.2, 1.5, 2, 4};
+constexpr int kRingsOfChangedNodes = 2;
+constexpr double kMostSolvedLocally = 0.02;
+constexpr double kFewNodes = 100;
 /// Unknowns from which on that saves more than it costs.
 constexpr int kSolvedLocallyFrom = 4000;
 
@@ -34,6 +39,29 @@ constexpr int kSolvedLocallyFrom = 4000;
 double stiffness_of(const SparseSymmetric& A, std::size_t node) {
   return A.value[static_cast<std::size_t>(A.first_column(node))] +
          A.value[static_cast<std::size_t>(A.second_column(node))];
+}
+
+/// A node whose stiffness is no more what it was in the matrix of the factor.
+struct ChangedNode {
+  int node;
+  double by;  ///< a factor, > 1
+};
+
+/// By more than the least factor that counts, in ranges that threads share.
+std::vector<ChangedNode> changed_nodes(const SparseSymmetric& matrix,
+                                       const std::vector<double>& stiffness) {
+  constexpr std::ptrdiff_t kNodesTogether = 4096;
+  return joined_ranges(matrix.nodes, kNodesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    std::vector<ChangedNode> changed;
+    for (std::ptrdiff_t i = begin; i < end; ++i) {
+      const auto node = static_cast<std::size_t>(i);
+      const double before = stiffness[node], now = stiffness_of(matrix, node);
+      const double by =
+          now > 0 ? std::max(now / before, before / now) : std::numeric_limits<double>::infinity();
+      if (by > kChangedStiffness[0]) changed.push_back({static_cast<int>(i), by});
+    }
+    return changed;
+  });
 }
 
 }  // namespace
@@ -78,7 +106,6 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
   if (!is_near(hessian.kind)) return solve_from_coarse(hessian, b, least_gain);
   ConjugateGradientSettings settings{least_gain, kMostLaggedIterations};
   settings.room = &room_;
-  settings.is_of_own_factor = is_own_;
   std::optional<LocalSolve> local;
   if (!is_own_) {
     settings.guesses = guesses;  // they cost more than they bring where the factor is its own
@@ -97,26 +124,25 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
   return solution;
 }
 
-/// Of the nodes that became stiffer or softer than they were in the matrix of the factor, and their
-/// neighbours: a few of them would cost most of the iterations.
+/// Of the nodes that became stiffer or softer, and their neighbours: a few of them would cost most
+/// of the iterations.
 std::optional<LocalSolve> HessianFactor::solve_of_changed_nodes(
     const SparseSymmetric& matrix) const {
   if (stiffness_.empty()) return std::nullopt;
-  constexpr std::ptrdiff_t kNodesTogether = 4096;
-  const std::vector<int> nodes =
-      joined_ranges(matrix.nodes, kNodesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-        std::vector<int> changed;
-        for (std::ptrdiff_t i = begin; i < end; ++i) {
-          const auto node = static_cast<std::size_t>(i);
-          const double before = stiffness_[node], now = stiffness_of(matrix, node);
-          if (now > kChangedStiffness * before || before > kChangedStiffness * now)
-            changed.push_back(static_cast<int>(i));
-        }
-        return changed;
-      });
-  if (nodes.empty() || static_cast<double>(nodes.size()) > kMostChangedNodes * matrix.nodes)
-    return std::nullopt;
-  return LocalSolve(matrix, with_neighbours(matrix, nodes));
+  std::vector<ChangedNode> changed = changed_nodes(matrix, stiffness_);
+  const auto most =
+      static_cast<std::size_t>(std::max(kFewNodes, kMostSolvedLocally * matrix.nodes));
+  for (const double least : kChangedStiffness) {
+    std::erase_if(changed, [&](const ChangedNode& node) { return node.by <= least; });
+    if (changed.empty()) return std::nullopt;
+    if (changed.size() > most) continue;
+    std::vector<int> nodes;
+    nodes.reserve(changed.size());
+    for (const ChangedNode& node : changed) nodes.push_back(node.node);
+    for (int ring = 0; ring < kRingsOfChangedNodes; ++ring) nodes = with_neighbours(matrix, nodes);
+    if (nodes.size() <= most) return LocalSolve(matrix, nodes);
+  }
+  return std::nullopt;
 }
 
 std::optional<ConjugateGradientSolution> HessianFactor::solve_from_coarse(const Hessian& hessian,

@@ -148,24 +148,6 @@ TEST(ConjugateGradients, GiveUpWhereALaterIterationGainsTooMuch) {
   EXPECT_EQ(end(1e-3).iterations, 2) << "the first gains all that there is yet";
 }
 
-TEST(ConjugateGradients, EndAfterAnIterationOfLengthOneFromTheOwnFactor) {
-  const SparseSymmetric m = random_matrix(60, 5);
-  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
-  const auto solve = [&](Cholesky& factor, bool is_own) {
-    ConjugateGradientSettings settings{.least_gain = 1e-6, .most_iterations = 50};
-    settings.is_of_own_factor = is_own;
-    return conjugate_gradients(m, b, factor, settings);
-  };
-  Cholesky rounded;
-  rounded.analyze(m);
-  ASSERT_TRUE(rounded.factorize(m, 0, Precision::single));
-  EXPECT_EQ(solve(rounded, true).iterations, 0);
-  EXPECT_EQ(solve(rounded, false).iterations, 1) << "which shows that nothing is left";
-  EXPECT_LT((test::dense(m) * solve(rounded, true).x - b).norm(), 1e-3 * b.norm());
-  Cholesky other = factor_of(changed(m, 5));
-  EXPECT_EQ(solve(other, true).x, solve(other, false).x) << "the length is not 1";
-}
-
 TEST(ConjugateGradients, SayThatAPreconditionerIsNotPositiveDefinite) {
   const SparseSymmetric m = random_matrix(20, 5);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linear/half_precision_solve.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/linear/cholesky.h"
+#include "core/linear/elimination_tree.h"
+#include "core/linear/multifrontal.h"
+#include "core/linear/ordering.h"
+#include "core/linear/single_precision_solve.h"
+#include "core/linear/sweep.h"
+#include "core/linear/symbolic_analysis.h"
+#include "tests/core/linear/elastic_grid.h"
+#include "tests/support/dense_matrix.h"
+#include "tests/support/random_symmetric.h"
+
+namespace foldless {
+namespace {
+
+constexpr unsigned kHalfSeeds = 60;
+constexpr double kElevenDigits = 1.0 / 2048;
+
+/// A factor that was made in single precision, and what half precision makes of it.
+struct Rounded {
+  explicit Rounded(const SparseSymmetric& m)
+      : symbolic(symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)), 0)) {
+    Buffer<std::byte> updates;
+    single.reserve(symbolic.values);
+    is_definite = factorize(symbolic, m, 0, single.data(), updates) == m.size();
+    if (is_definite) to_half_precision(symbolic, single.data(), half);
+  }
+
+  /// What the work space holds must not matter.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+    constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
+    std::vector<float> work(sweep_work_size(symbolic, kSingleOverrun), kNotANumber);
+    Eigen::VectorXf x(symbolic.solve_size());
+    for (Eigen::Index k = 0; k < b.size(); ++k)
+      x[k] = static_cast<float>(b[2 * symbolic.order[static_cast<std::size_t>(k / 2)] + k % 2]);
+    triangular_solve_half(symbolic, half, x.data(), work.data());
+    Eigen::VectorXd solution(b.size());
+    for (Eigen::Index k = 0; k < b.size(); ++k)
+      solution[2 * symbolic.order[static_cast<std::size_t>(k / 2)] + k % 2] = x[k];
+    return solution;
+  }
+
+  SymbolicFactor symbolic;
+  Buffer<float> single;
+  HalfFactor half;
+  bool is_definite = false;
+};
+
+/// ‖A x − b‖ / ‖A‖ ‖x‖, which rounding the values of a factor keeps small however A is conditioned.
+double backward_error(const SparseSymmetric& m, const Eigen::VectorXd& x,
+                      const Eigen::VectorXd& b) {
+  const Eigen::MatrixXd A = test::dense(m);
+  return (A * x - b).lpNorm<Eigen::Infinity>() /
+         (A.cwiseAbs().rowwise().sum().maxCoeff() * x.lpNorm<Eigen::Infinity>());
+}
+
+TEST(HalfPrecisionSolve, SolvesToItsElevenDigitsWhateverTheSupernodesAre) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+  std::set<std::pair<int, int>> shapes;  // kinds of columns, rows of the last strip
+  for (unsigned seed = 1; seed <= kHalfSeeds; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const SparseSymmetric m = test::dominated(test::random_symmetric(seed), seed);
+    const Rounded rounded(m);
+    ASSERT_TRUE(rounded.is_definite);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+    EXPECT_LT(backward_error(m, rounded.solve(b), b), kElevenDigits);
+    for (const Supernode& s : rounded.symbolic.supernodes)
+      shapes.emplace(s.columns <= 4 ? s.columns : 6 + s.columns % 4, s.below % 8);
+  }
+  EXPECT_EQ(shapes.size(), 4U * 4U)
+      << "two, four, and more columns by fours or with a last two; all ends of strips";
+}
+
+TEST(HalfPrecisionSolve, SolvesFrontsOfManyColumns) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+  const SparseSymmetric m = test::elastic_grid(30);
+  const Rounded rounded(m);
+  ASSERT_TRUE(rounded.is_definite);
+  EXPECT_GT(rounded.symbolic.largest_front, 60);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  EXPECT_LT(backward_error(m, rounded.solve(b), b), kElevenDigits);
+}
+
+/// S A S, where the stiffest unknown is 10^(4 exponent) times as stiff as the softest, and S.
+std::pair<SparseSymmetric, Eigen::VectorXd> graded(SparseSymmetric A, int exponent) {
+  Eigen::VectorXd grade(A.size());
+  for (int i = 0; i < A.size(); ++i) grade[i] = std::pow(10.0, i % (2 * exponent + 1) - exponent);
+  const SparseSymmetric even = A;
+  std::size_t k = 0;
+  test::for_each_entry(even, [&](int row, int column, double value) {
+    A.value[k++] = grade[row] * value * grade[column];
+  });
+  return {std::move(A), grade};
+}
+
+/// Stiff triangles beside soft ones: the digits are those of A, whose S A S is.
+TEST(HalfPrecisionSolve, HasItsDigitsInAGradedMatrixToo) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+  const SparseSymmetric even = test::dominated(test::random_symmetric(7), 7);
+  const auto [m, grade] = graded(even, 2);
+  const Rounded rounded(m);
+  ASSERT_TRUE(rounded.is_definite);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(even.size(), -1, 2);
+  const Eigen::VectorXd x = rounded.solve(grade.cwiseProduct(b)).cwiseProduct(grade);
+  EXPECT_LT(backward_error(even, x, b), kElevenDigits);
+}
+
+TEST(HalfPrecisionSolve, StaysPositiveDefiniteWhereAValueIsTooLarge) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+  const auto [m, grade] = graded(test::dominated(test::random_symmetric(7), 7), 4);
+  const Rounded rounded(m);
+  ASSERT_TRUE(rounded.is_definite);
+  const Eigen::VectorXd b = grade.cwiseProduct(Eigen::VectorXd::LinSpaced(m.size(), -1, 2));
+  const Eigen::VectorXd x = rounded.solve(b);
+  EXPECT_TRUE(x.allFinite());
+  EXPECT_GT(x.dot(b), 0);
+}
+
+TEST(HalfPrecisionSolve, PreconditionsWithAFactorInSinglePrecision) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+  const SparseSymmetric m = test::elastic_grid(8);
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  ASSERT_TRUE(cholesky.factorize(m, 0, Precision::single));
+  const Eigen::VectorXd x = cholesky.precondition(b);
+  EXPECT_LT((x - Rounded(m).solve(b)).norm(), 1e-5 * x.norm());
+  ASSERT_TRUE(cholesky.factorize(m));
+  EXPECT_GT((x - cholesky.solve(b)).norm(), 1e-5 * x.norm());
+}
+
+TEST(HalfPrecisionSolve, PreconditionsWithTheLatestFactorAndLeavesThatOfACopy) {
+  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+  const SparseSymmetric m = test::elastic_grid(8);
+  Cholesky cholesky;
+  cholesky.analyze(m);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
+  ASSERT_TRUE(cholesky.factorize(m, 0, Precision::single));
+  const Eigen::VectorXd x = cholesky.precondition(b);
+  Cholesky copy = cholesky;
+  EXPECT_EQ(copy.precondition(b), x);
+  ASSERT_TRUE(copy.factorize(m, 7, Precision::single));
+  EXPECT_GT((copy.precondition(b) - x).norm(), 1e-2 * x.norm());
+  EXPECT_EQ(cholesky.precondition(b), x);
+}
+
+}  // namespace
+}  // namespace foldless
