@@ -50,16 +50,18 @@ void Cholesky::analyze(const SparseSymmetric& matrix) {
 }
 
 bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision precision) {
-  has_factor_ = single_is_of_the_factor_ = half_is_of_the_factor_ = false;
+  has_factor_ = has_copy_ = false;
   precision_ = solves_in_single_precision() ? precision : Precision::full;
   if (precision_ == Precision::single) {
     float* single = new_single();
     has_factor_ = foldless::factorize(*symbolic_, matrix, shift, single, work_.updates, token_) ==
                   matrix.size();
-    single_is_of_the_factor_ = has_factor_;
   } else {
     const bool is_many = symbolic_->values >= kManyValues;
-    if (is_many) single_.reset();
+    if (is_many) {
+      single_.reset();
+      half_.reset();
+    }
     double* values = own_room(values_, symbolic_->values);
     has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values, work_.updates, token_) ==
                   matrix.size();
@@ -68,17 +70,15 @@ bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision 
   return has_factor_;
 }
 
-void Cholesky::copy_in_single() {
-  if (single_is_of_the_factor_) return;
-  to_single_precision(*symbolic_, values_->data(), new_single());
-  single_is_of_the_factor_ = true;
-}
-
-void Cholesky::round_to_half() {
-  if (half_is_of_the_factor_) return;
-  if (!half_ || half_.use_count() > 1) half_ = std::make_shared<HalfFactor>();
-  to_half_precision(*symbolic_, single_->data(), *half_);
-  half_is_of_the_factor_ = true;
+void Cholesky::copy_factor() {
+  if (has_copy_) return;
+  if (precision_ == Precision::full) {
+    to_single_precision(*symbolic_, values_->data(), new_single());
+  } else {
+    if (!half_ || half_.use_count() > 1) half_ = std::make_shared<HalfFactor>();
+    to_half_precision(*symbolic_, single_->data(), *half_);
+  }
+  has_copy_ = true;
 }
 
 float* Cholesky::new_single() {
@@ -113,11 +113,7 @@ Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
   const double scale = largest_magnitude(right_hand_side);
   if (scale == 0) return Eigen::VectorXd::Zero(right_hand_side.size());
   if (!solves_in_single_precision()) return solve(right_hand_side);
-  const bool is_rounded = precision_ == Precision::single;
-  if (is_rounded)
-    round_to_half();
-  else
-    copy_in_single();
+  copy_factor();
   work_.single_in_order.reserve(static_cast<std::size_t>(symbolic_->solve_size()));
   work_.single_scratch.reserve(sweep_work_size(*symbolic_, kSingleOverrun));
   float* x = work_.single_in_order.data();
@@ -125,10 +121,10 @@ Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
     for (Eigen::Index i = 0; i < 2; ++i)
       x[k + i] = static_cast<float>(right_hand_side[node + i] / scale);
   });
-  if (is_rounded)
-    triangular_solve_half(*symbolic_, *half_, x, work_.single_scratch.data());
-  else
+  if (precision_ == Precision::full)
     triangular_solve_single(*symbolic_, single_->data(), x, work_.single_scratch.data());
+  else
+    triangular_solve_half(*symbolic_, *half_, x, work_.single_scratch.data());
   Eigen::VectorXd solution(right_hand_side.size());
   for_pairs([&](Eigen::Index k, Eigen::Index node) {
     for (Eigen::Index i = 0; i < 2; ++i) solution[node + i] = scale * x[k + i];

@@ -67,16 +67,15 @@ class Cholesky {
   void for_pairs(const Visit& visit) const;
   /// Room for the factor in single precision.
   float* new_single();
-  void copy_in_single();
-  void round_to_half();
+  /// Makes the copy that preconditions, where it is not made yet.
+  void copy_factor();
 
   double ordered_work_ = 0;  ///< by the last ordering that was made anew
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::shared_ptr<Buffer<double>> values_;
-  std::shared_ptr<Buffer<float>> single_;
-  bool single_is_of_the_factor_ = false;
-  std::shared_ptr<HalfFactor> half_;
-  bool half_is_of_the_factor_ = false;
+  std::shared_ptr<Buffer<float>> single_;  ///< the factor itself, or the copy of one in doubles
+  std::shared_ptr<HalfFactor> half_;       ///< the copy of a factor in single precision
+  bool has_copy_ = false;                  ///< of the factor there is, in less precision
   Precision precision_ = Precision::full;
   Work work_;
   std::stop_token token_;

@@ -9,6 +9,7 @@
 #include <cstddef>
 
 #include "core/linear/node_vectors.h"
+#include "core/linear/single_precision_solve.h"
 #include "core/linear/sweep.h"
 
 namespace foldless {
@@ -20,6 +21,7 @@ namespace {
 #define FOLDLESS_F16C __attribute__((target("avx2,fma,f16c"))) inline
 
 constexpr int kStripRows = 8;
+static_assert(kStripRows <= kSingleOverrun, "rows of the last strip that are not there");
 constexpr int kColumnsTogether = 4;
 /// What is larger was rounded to infinity.
 constexpr float kLargestHalf = 65504;
@@ -172,10 +174,8 @@ FOLDLESS_F16C void forward_narrow(const HalfSupernode& of, float* all) {
   const int* node = of.node;
   const std::uint16_t* strip = of.strip;
   for (int left = of.s.below / 2; left > 0;
-       left -= kStripRows / 2, node += kStripRows / 2, strip += Columns * kStripRows) {
-    const int count = std::min(left, kStripRows / 2);
-    store_nodes(without_columns(load_nodes(all, node, count), strip, x), all, node, count);
-  }
+       left -= kStripRows / 2, node += kStripRows / 2, strip += Columns * kStripRows)
+    store_nodes(without_columns(load_nodes(all, node, left), strip, x), all, node, left);
   for (int c = 0; c < Columns; ++c) own[c] *= of.head[c * kColumnsTogether];
 }
 
@@ -187,7 +187,7 @@ FOLDLESS_F16C void backward_narrow(const HalfSupernode& of, float* all) {
   const std::uint16_t* strip = of.strip;
   for (int left = of.s.below / 2; left > 0;
        left -= kStripRows / 2, node += kStripRows / 2, strip += Columns * kStripRows)
-    add_products(strip, load_nodes(all, node, std::min(left, kStripRows / 2)), sums);
+    add_products(strip, load_nodes(all, node, left), sums);
   float* own = all + of.s.first;
   subtract_sums(sums, own);
   backward_head<Columns>(of.head, own);
@@ -230,7 +230,7 @@ FOLDLESS_F16C void backward_half(const HalfSupernode& of, const std::uint16_t* e
   _mm256_storeu_ps(work + s.rows(), _mm256_setzero_ps());
   const int* node = of.node;
   for (int i = 0; i < s.below; i += kStripRows, node += kStripRows / 2)
-    _mm256_storeu_ps(work + s.columns + i, load_nodes(x, node, std::min(4, (s.below - i) / 2)));
+    _mm256_storeu_ps(work + s.columns + i, load_nodes(x, node, (s.below - i) / 2));
   for (int j = (s.columns - 1) / kColumnsTogether * kColumnsTogether; j >= 0;
        j -= kColumnsTogether) {
     const int columns = columns_from(s, j), below = s.rows() - j - columns;
@@ -280,7 +280,7 @@ void triangular_solve_half(const SymbolicFactor& factor, const HalfFactor& half,
   const auto backward = [&](const Supernode& s, float* of, float* scratch) {
     backward_half(parts_of(s), strips + *(start_of(s) + 1), of, scratch);
   };
-  sweep(factor, SweptVector<float>{x, work, kStripRows}, forward, backward);
+  sweep(factor, SweptVector<float>{x, work, kSingleOverrun}, forward, backward);
 }
 
 #else

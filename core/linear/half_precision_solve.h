@@ -11,7 +11,7 @@
 namespace foldless {
 
 /// L D Lᵀ with ones on the diagonal of L, whose other values are in half precision: eleven binary
-/// digits, and no more than what the memory has to bring.
+/// digits, half of what the memory has to bring of single precision.
 ///
 /// Columns of a supernode go by fours, and a last two, in *strips*: of each column eight rows below
 /// the four, then the next eight rows, zero where there are no more.

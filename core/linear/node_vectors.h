@@ -14,7 +14,7 @@ inline __m128 load_pair(const float* p) {
   return _mm_loadl_pi(_mm_setzero_ps(), reinterpret_cast<const __m64*>(p));
 }
 
-/// The values of so many nodes of x, one to four, and zeros.
+/// The values of the first four of so many nodes of x, and zeros where there are fewer.
 [[gnu::target("avx2,fma")]] inline __m256 load_nodes(const float* x, const int* node, int count) {
   const auto pair = [&](int k) {
     return k < count ? load_pair(x + 2 * static_cast<std::ptrdiff_t>(node[k])) : _mm_setzero_ps();
@@ -22,7 +22,7 @@ inline __m128 load_pair(const float* p) {
   return _mm256_set_m128(_mm_movelh_ps(pair(2), pair(3)), _mm_movelh_ps(pair(0), pair(1)));
 }
 
-/// Those of so many nodes, one to four, go to x.
+/// Those of the first four of so many nodes, one or more, go to x.
 [[gnu::target("avx2,fma")]] inline void store_nodes(__m256 values, float* x, const int* node,
                                                     int count) {
   const auto place = [&](int k) {

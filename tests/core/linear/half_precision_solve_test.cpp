@@ -27,6 +27,13 @@ namespace {
 constexpr unsigned kHalfSeeds = 60;
 constexpr double kElevenDigits = 1.0 / 2048;
 
+class HalfPrecisionSolve : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+  }
+};
+
 /// A factor that was made in single precision, and what half precision makes of it.
 struct Rounded {
   explicit Rounded(const SparseSymmetric& m)
@@ -65,8 +72,7 @@ double backward_error(const SparseSymmetric& m, const Eigen::VectorXd& x,
          (A.cwiseAbs().rowwise().sum().maxCoeff() * x.lpNorm<Eigen::Infinity>());
 }
 
-TEST(HalfPrecisionSolve, SolvesToItsElevenDigitsWhateverTheSupernodesAre) {
-  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+TEST_F(HalfPrecisionSolve, SolvesToItsElevenDigitsWhateverTheSupernodesAre) {
   std::set<std::pair<int, int>> shapes;  // kinds of columns, rows of the last strip
   for (unsigned seed = 1; seed <= kHalfSeeds; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -82,8 +88,7 @@ TEST(HalfPrecisionSolve, SolvesToItsElevenDigitsWhateverTheSupernodesAre) {
       << "two, four, and more columns by fours or with a last two; all ends of strips";
 }
 
-TEST(HalfPrecisionSolve, SolvesFrontsOfManyColumns) {
-  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+TEST_F(HalfPrecisionSolve, SolvesFrontsOfManyColumns) {
   const SparseSymmetric m = test::elastic_grid(30);
   const Rounded rounded(m);
   ASSERT_TRUE(rounded.is_definite);
@@ -105,8 +110,7 @@ std::pair<SparseSymmetric, Eigen::VectorXd> graded(SparseSymmetric A, int expone
 }
 
 /// Stiff triangles beside soft ones: the digits are those of A, whose S A S is.
-TEST(HalfPrecisionSolve, HasItsDigitsInAGradedMatrixToo) {
-  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+TEST_F(HalfPrecisionSolve, HasItsDigitsInAGradedMatrixToo) {
   const SparseSymmetric even = test::dominated(test::random_symmetric(7), 7);
   const auto [m, grade] = graded(even, 2);
   const Rounded rounded(m);
@@ -116,8 +120,7 @@ TEST(HalfPrecisionSolve, HasItsDigitsInAGradedMatrixToo) {
   EXPECT_LT(backward_error(even, x, b), kElevenDigits);
 }
 
-TEST(HalfPrecisionSolve, StaysPositiveDefiniteWhereAValueIsTooLarge) {
-  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+TEST_F(HalfPrecisionSolve, StaysPositiveDefiniteWhereAValueIsTooLarge) {
   const auto [m, grade] = graded(test::dominated(test::random_symmetric(7), 7), 4);
   const Rounded rounded(m);
   ASSERT_TRUE(rounded.is_definite);
@@ -127,27 +130,30 @@ TEST(HalfPrecisionSolve, StaysPositiveDefiniteWhereAValueIsTooLarge) {
   EXPECT_GT(x.dot(b), 0);
 }
 
-TEST(HalfPrecisionSolve, PreconditionsWithAFactorInSinglePrecision) {
-  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
+/// Of a matrix whose factor in half precision differs from the exact one.
+class HalfPrecisionPreconditioner : public HalfPrecisionSolve {
+ protected:
+  void SetUp() override {
+    HalfPrecisionSolve::SetUp();
+    if (IsSkipped()) return;
+    cholesky.analyze(m);
+    ASSERT_TRUE(cholesky.factorize(m, 0, Precision::single));
+    x = cholesky.precondition(b);
+  }
+
   const SparseSymmetric m = test::elastic_grid(8);
-  Cholesky cholesky;
-  cholesky.analyze(m);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
-  ASSERT_TRUE(cholesky.factorize(m, 0, Precision::single));
-  const Eigen::VectorXd x = cholesky.precondition(b);
+  Cholesky cholesky;
+  Eigen::VectorXd x;
+};
+
+TEST_F(HalfPrecisionPreconditioner, IsTheFactorInSinglePrecisionRounded) {
   EXPECT_LT((x - Rounded(m).solve(b)).norm(), 1e-5 * x.norm());
   ASSERT_TRUE(cholesky.factorize(m));
   EXPECT_GT((x - cholesky.solve(b)).norm(), 1e-5 * x.norm());
 }
 
-TEST(HalfPrecisionSolve, PreconditionsWithTheLatestFactorAndLeavesThatOfACopy) {
-  if (!solves_in_single_precision()) GTEST_SKIP() << "this processor does not";
-  const SparseSymmetric m = test::elastic_grid(8);
-  Cholesky cholesky;
-  cholesky.analyze(m);
-  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
-  ASSERT_TRUE(cholesky.factorize(m, 0, Precision::single));
-  const Eigen::VectorXd x = cholesky.precondition(b);
+TEST_F(HalfPrecisionPreconditioner, IsOfTheLatestFactorAndLeavesThatOfACopy) {
   Cholesky copy = cholesky;
   EXPECT_EQ(copy.precondition(b), x);
   ASSERT_TRUE(copy.factorize(m, 7, Precision::single));

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -88,7 +90,7 @@ std::optional<ConjugateGradientSolution> solution_from_earlier(HessianFactor& fa
 
 /// By the factor of hessian(n), with a local solve where there is one.
 ConjugateGradientSolution plain_solution(const Hessian& of, LocalSolve* local = nullptr) {
-  const Hessian earlier = hessian(of.matrix.nodes < 1000 ? kSize : kLargeSize);
+  const Hessian earlier = hessian(static_cast<int>(std::lround(std::sqrt(of.matrix.nodes))) - 1);
   Cholesky factor;
   factor.analyze(earlier.matrix);
   EXPECT_TRUE(factor.factorize(earlier.matrix));
@@ -120,10 +122,14 @@ TEST(HessianFactor, SolvesForNodesByThemselvesWhereTheyAreFewOfMany) {
     HessianFactor factor = factorized(hessian(n));
     return solution_from_earlier(factor, changed)->x == plain_solution(changed).x;
   };
-  int most = 1;
-  while (with_two_rings(most + 1, hessian(kLargeSize).matrix).size() <= 100) ++most;
-  EXPECT_FALSE(is_plain(changed_hessian(most, 1.5), kLargeSize));
-  EXPECT_TRUE(is_plain(changed_hessian(most + 1, 1.5), kLargeSize));
+  constexpr int kLarger = 79;  // 6,400 nodes, of which a fiftieth is more than a hundred
+  for (const auto& [n, all] : {std::pair(kLargeSize, 100U), std::pair(kLarger, 128U)}) {
+    SCOPED_TRACE(n);
+    int most = 1;
+    while (with_two_rings(most + 1, hessian(n).matrix).size() <= all) ++most;
+    EXPECT_FALSE(is_plain(changed_hessian(most, 1.5, n), n));
+    EXPECT_TRUE(is_plain(changed_hessian(most + 1, 1.5, n), n));
+  }
   EXPECT_TRUE(is_plain(changed_hessian(3, 1.5, kSize), kSize));
 }
 
