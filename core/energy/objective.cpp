@@ -226,8 +226,13 @@ double Objective::largest_step(const EnergySettings& settings, const Points& u,
   const auto bound_of = [&](Eigen::Index t, double least) {
     return largest_step_of(t, settings, {u, step, least});
   };
-  const double of_gaps = settings.guards_boundary() ? guard_.largest_step(u, step) : kInfinity;
-  return std::min(of_gaps, least_of_triangles(triangles_.cols(), bound_of));
+  return std::min(largest_step_of_gaps(settings, u, step),
+                  least_of_triangles(triangles_.cols(), bound_of));
+}
+
+double Objective::largest_step_of_gaps(const EnergySettings& settings, const Points& u,
+                                       const Points& step) const {
+  return settings.guards_boundary() ? guard_.largest_step(u, step) : kInfinity;
 }
 
 std::vector<int> Objective::triangles_in_way(const EnergySettings& settings, const Points& u,

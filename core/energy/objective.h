@@ -78,6 +78,9 @@ class Objective {
   /// where the settings guard the boundary no gap closes; infinite when nothing bounds it, 0 when a
   /// triangle is not so at u.
   double largest_step(const EnergySettings& settings, const Points& u, const Points& step) const;
+  /// The part of gaps in that.
+  double largest_step_of_gaps(const EnergySettings& settings, const Points& u,
+                              const Points& step) const;
   /// The triangles that bound that t below `bound`, in ascending order.
   std::vector<int> triangles_in_way(const EnergySettings& settings, const Points& u,
                                     const Points& step, double bound) const;

@@ -46,7 +46,7 @@ void Cholesky::analyze(const SparseSymmetric& matrix) {
     tree = elimination_tree(matrix, fill_reducing_ordering(matrix));
     ordered_work_ = tree->work();
   }
-  symbolic_ = std::make_shared<const SymbolicFactor>(symbolic_factor(matrix, std::move(*tree)));
+  symbolic_ = std::make_shared<const SymbolicFactor>(symbolic_factor(std::move(*tree)));
 }
 
 bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision precision) {

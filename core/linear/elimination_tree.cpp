@@ -15,33 +15,13 @@ std::vector<int> inverse(const std::vector<int>& order) {
   return position;
 }
 
-OrderedNeighbours earlier_neighbours(const SparseSymmetric& matrix,
-                                     const std::vector<int>& position) {
-  const auto visit = [&](const auto& put) {
-    for (int j = 0; j < matrix.nodes; ++j)
-      for (int k = matrix.graph_start[index(j)]; k < matrix.graph_start[index(j) + 1]; ++k) {
-        const auto [first, second] =
-            std::minmax(position[index(j)], position[index(matrix.graph[index(k)])]);
-        put(first, second);
-      }
-  };
-  OrderedNeighbours earlier;
-  earlier.start.assign(index(matrix.nodes) + 1, 0);
-  visit([&](int, int second) { ++earlier.start[index(second) + 1]; });
-  std::partial_sum(earlier.start.begin(), earlier.start.end(), earlier.start.begin());
-  earlier.place.resize(matrix.graph.size());
-  std::vector<int> next(earlier.start.begin(), earlier.start.end() - 1);
-  visit([&](int first, int second) { earlier.place[index(next[index(second)]++)] = first; });
-  return earlier;
-}
-
 /// Liu's algorithm with path compression.
-std::vector<int> parents_of(const OrderedNeighbours& earlier) {
-  const int nodes = static_cast<int>(earlier.start.size()) - 1;
+std::vector<int> parents_of(const ItemLists<BlockOfNode>& blocks) {
+  const int nodes = blocks.count();
   std::vector<int> parent(index(nodes), -1), ancestor(index(nodes), -1);
   for (int k = 0; k < nodes; ++k)
-    for (int j : earlier.of(k))
-      while (j != k) {
+    for (const BlockOfNode& block : blocks.of(k))
+      for (int j = block.other; j < k;) {
         const int next = ancestor[index(j)];
         ancestor[index(j)] = k;
         if (next < 0) {
@@ -91,19 +71,6 @@ std::vector<int> relabelled(const std::vector<int>& parent, const std::vector<in
   return result;
 }
 
-OrderedNeighbours later_neighbours(const OrderedNeighbours& earlier) {
-  const int nodes = static_cast<int>(earlier.start.size()) - 1;
-  OrderedNeighbours later;
-  later.start.assign(earlier.start.size(), 0);
-  for (const int j : earlier.place) ++later.start[index(j) + 1];
-  std::partial_sum(later.start.begin(), later.start.end(), later.start.begin());
-  later.place.resize(earlier.place.size());
-  std::vector<int> next(later.start.begin(), later.start.end() - 1);
-  for (int k = 0; k < nodes; ++k)
-    for (const int j : earlier.of(k)) later.place[index(next[index(j)]++)] = k;
-  return later;
-}
-
 /// The columns whose row i of the factor is not zero are a subtree that ends at i; its leaves tell
 /// how many there are [GNP94].
 class RowSubtrees {
@@ -147,18 +114,18 @@ class RowSubtrees {
   std::vector<int> last_first_, last_leaf_, ancestor_;
 };
 
-std::vector<int> column_counts(const OrderedNeighbours& earlier, const std::vector<int>& parent) {
+std::vector<int> column_counts(const ItemLists<BlockOfNode>& blocks,
+                               const std::vector<int>& parent) {
   const int nodes = static_cast<int>(parent.size());
-  const OrderedNeighbours later = later_neighbours(earlier);
   RowSubtrees subtrees(parent);
   std::vector<int> count(parent.size());
   for (int j = 0; j < nodes; ++j) count[index(j)] = subtrees.is_leaf_of_the_tree(j) ? 1 : 0;
   for (int j = 0; j < nodes; ++j) {
     const int p = parent[index(j)];
     if (p >= 0) --count[index(p)];
-    for (const int i : later.of(j)) {
+    for (const BlockOfNode& block : blocks.of(j)) {
       int meeting = -1;
-      if (!subtrees.is_next_leaf(i, j, meeting)) continue;
+      if (block.other < j || !subtrees.is_next_leaf(block.other, j, meeting)) continue;
       ++count[index(j)];
       if (meeting >= 0) --count[index(meeting)];
     }
@@ -173,17 +140,17 @@ std::vector<int> column_counts(const OrderedNeighbours& earlier, const std::vect
 
 EliminationTree elimination_tree(const SparseSymmetric& matrix, const std::vector<int>& order) {
   EliminationTree tree;
-  tree.order = order;
-  tree.position = inverse(order);
-  tree.earlier = earlier_neighbours(matrix, tree.position);
-  tree.parent = parents_of(tree.earlier);
-  if (const std::vector<int> post = postorder(tree.parent); !std::ranges::is_sorted(post)) {
+  tree.order = {order, inverse(order)};
+  tree.blocks = in_order(blocks_of_nodes(matrix), tree.order);
+  tree.parent = parents_of(tree.blocks);
+  if (std::vector<int> post = postorder(tree.parent); !std::ranges::is_sorted(post)) {
     tree.parent = relabelled(tree.parent, post);
-    std::ranges::transform(post, tree.order.begin(), [&](int k) { return order[index(k)]; });
-    tree.position = inverse(tree.order);
-    tree.earlier = earlier_neighbours(matrix, tree.position);
+    std::ranges::transform(post, tree.order.nodes.begin(), [&](int k) { return order[index(k)]; });
+    tree.order.places = inverse(tree.order.nodes);
+    const std::vector<int> places = inverse(post);
+    tree.blocks = in_order(tree.blocks, {std::move(post), places});
   }
-  tree.count = column_counts(tree.earlier, tree.parent);
+  tree.count = column_counts(tree.blocks, tree.parent);
   return tree;
 }
 

@@ -109,6 +109,7 @@ FOLDLESS_F16C __m256 without_columns(__m256 rows, const std::uint16_t* strip,
 
 template <int Columns>
 FOLDLESS_F16C void add_products(const std::uint16_t* strip, __m256 known, __m256 (&sums)[Columns]) {
+  ask_for_earlier(strip);
   for (int c = 0; c < Columns; ++c)
     sums[c] = _mm256_fmadd_ps(load_strip(strip + c * kStripRows), known, sums[c]);
 }

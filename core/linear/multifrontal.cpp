@@ -122,7 +122,7 @@ class Multifrontal {
     if (token_.stop_requested()) return s.first;
     const Front<Value> front = front_of(s, updates.own);
     const DenseKernels<Value>& kernels = dense_kernels<Value>();
-    std::fill_n(front.panel.value, static_cast<std::size_t>(s.rows()) * s.columns, Value{0});
+    clear(front.panel);
     add_matrix(k, front.panel);
     if (s.child >= 0) add_updates(s, front, updates.of_children);
     const int found = factorize_panel(front.panel, kernels);
@@ -138,6 +138,14 @@ class Multifrontal {
 
   Front<Value> front_of(const Supernode& s, Value* updates) const {
     return {{values_ + s.value_start, s.rows(), s.columns}, updates + s.update_start, s.below};
+  }
+
+  static void clear(const DensePanel<Value>& panel) {
+    constexpr std::ptrdiff_t kValuesTogether = 65'536;
+    in_ranges(static_cast<std::ptrdiff_t>(panel.rows) * panel.columns, kValuesTogether,
+              [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+                std::fill(panel.value + begin, panel.value + end, Value{0});
+              });
   }
 
   void add_matrix(std::size_t k, const DensePanel<Value>& panel) const {

@@ -35,6 +35,14 @@ inline __m128 load_pair(const float* p) {
   if (count > 3) _mm_storeh_pi(place(3), last);
 }
 
+/// A backward solve goes from the last values of a factor to the first, some columns at a time and
+/// downwards in each, so that no processor guesses which come next: asks for those that are so far
+/// before what is read now.
+inline void ask_for_earlier(const void* read) {
+  constexpr std::ptrdiff_t kBytesBefore = 8192;
+  _mm_prefetch(static_cast<const char*>(read) - kBytesBefore, _MM_HINT_T0);
+}
+
 }  // namespace foldless
 
 #endif

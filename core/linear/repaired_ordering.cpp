@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/threads/values_of_ranges.h"
+
 namespace foldless {
 namespace {
 
@@ -21,9 +23,11 @@ class Repair {
       if (parent[k] >= 0) first_[place(parent[k])] = std::min(first_[place(parent[k])], first_[k]);
   }
 
-  /// Makes room for an edge between these places, a < b.
+  /// Whether a is b or one of its descendants.
+  bool is_below(int a, int b) const { return first_[place(b)] <= a && a <= b; }
+
+  /// Makes room for an edge between these places, a < b, where a is not below b.
   void connect(int a, int b) {
-    if (is_below(a, b)) return;
     int meeting = b, steps_of_b = 0;
     for (; meeting >= 0 && !is_below(a, meeting); meeting = parent_[place(meeting)]) ++steps_of_b;
     if (meeting < 0) meeting = static_cast<int>(parent_.size());
@@ -63,9 +67,6 @@ class Repair {
     return steps <= than;
   }
 
-  /// Whether a is b or one of its descendants.
-  bool is_below(int a, int b) const { return first_[place(b)] <= a && a <= b; }
-
   const std::vector<int>& parent_;
   std::vector<int> first_;   ///< the first of the descendants
   std::vector<int> before_;  ///< −1: it stays
@@ -79,11 +80,18 @@ std::vector<int> repaired_ordering(const SparseSymmetric& matrix, const std::vec
   std::vector<int> position(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) position[place(order[k])] = static_cast<int>(k);
   Repair repair(parent);
-  for (int j = 0; j < matrix.nodes; ++j)
-    for (int k = matrix.graph_start[place(j)]; k < matrix.graph_start[place(j) + 1]; ++k) {
-      const auto [a, b] = std::minmax(position[place(j)], position[place(matrix.graph[place(k)])]);
-      repair.connect(a, b);
-    }
+  constexpr std::ptrdiff_t kNodesTogether = 4096;
+  const std::vector<std::pair<int, int>> unconnected =
+      joined_ranges(matrix.nodes, kNodesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+        std::vector<std::pair<int, int>> found;
+        for (auto j = static_cast<std::size_t>(begin); j < static_cast<std::size_t>(end); ++j)
+          for (int k = matrix.graph_start[j]; k < matrix.graph_start[j + 1]; ++k) {
+            const auto [a, b] = std::minmax(position[j], position[place(matrix.graph[place(k)])]);
+            if (!repair.is_below(a, b)) found.emplace_back(a, b);
+          }
+        return found;
+      });
+  for (const auto& [a, b] : unconnected) repair.connect(a, b);
   return repair.is_empty() ? order : repair.new_order(order);
 }
 

@@ -81,8 +81,10 @@ FOLDLESS_AVX2 void backward_columns(const SingleColumns<Columns>& s, float* work
   for (int c = 0; c < Columns; ++c) sums[c] = _mm256_setzero_ps();
   for (int i = s.column + Columns; i < s.rows; i += kLanes) {
     const __m256 known = _mm256_loadu_ps(work + i);
-    for (int c = 0; c < Columns; ++c)
+    for (int c = 0; c < Columns; ++c) {
+      ask_for_earlier(s.of(c) + i);
       sums[c] = _mm256_fmadd_ps(_mm256_loadu_ps(s.of(c) + i), known, sums[c]);
+    }
   }
   float* own = work + s.column;
   for (int c = Columns - 1; c >= 0; --c) {

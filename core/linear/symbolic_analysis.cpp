@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "core/error.h"
 #include "core/linear/elimination_tree.h"
-#include "core/linear/later_blocks.h"
 #include "core/linear/supernodes.h"
 #include "core/linear/work_plan.h"
+#include "core/threads/team.h"
 
 namespace foldless {
 namespace {
@@ -16,8 +18,8 @@ namespace {
 /// Fills a symbolic factor in, from the supernodes on.
 class FactorBuilder {
  public:
-  FactorBuilder(const SparseSymmetric& matrix, const EliminationTree& tree, SymbolicFactor& factor)
-      : tree_(tree), later_(later_blocks(matrix, tree.position)), factor_(factor) {}
+  FactorBuilder(const EliminationTree& tree, SymbolicFactor& factor)
+      : tree_(tree), factor_(factor) {}
 
   void make_supernodes() {
     std::size_t rows = 0;
@@ -55,69 +57,135 @@ class FactorBuilder {
   }
 
   /// Row i is in the supernodes on the paths from the earlier neighbours of i up to i.
+  /// Precondition: subtrees and top are known.
   void find_rows() {
-    std::vector<int> last_row(factor_.supernodes.size(), -1);
-    std::vector<std::size_t> next;
-    for (const Supernode& s : factor_.supernodes) next.push_back(s.row_start);
-    for (int i = 0; i < static_cast<int>(of_node_.size()); ++i) {
-      const int end = of_node_[at(i)];
-      for (const int j : tree_.earlier.of(i))
-        for (int k = of_node_[at(j)]; k != end && last_row[at(k)] != i; k = supernode(k).parent) {
-          last_row[at(k)] = i;
-          factor_.rows[next[at(k)]++] = i;
-        }
-    }
+    last_row_.assign(factor_.supernodes.size(), -1);
+    next_.reserve(factor_.supernodes.size());
+    for (const Supernode& s : factor_.supernodes) next_.push_back(s.row_start);
+    in_parallel(static_cast<int>(factor_.subtrees.size()),
+                [&](int k) { find_rows_in(factor_.subtrees[at(k)]); });
+    find_rows_of_top();
   }
 
   void find_places() {
-    std::vector<int> place(of_node_.size());
-    for (Supernode& s : factor_.supernodes) {
-      int count = 0;
-      for (int i = s.first / 2; count < s.columns / 2; ++i) place[at(i)] = count++;
-      for (const int i : factor_.rows_of(s)) place[at(i)] = count++;
-      for (int k = s.child; k >= 0;) {
-        const Supernode& child = supernode(k);
-        std::size_t next = child.row_start;
-        for (const int i : factor_.rows_of(child)) factor_.places[next++] = place[at(i)];
-        k = child.sibling;
-      }
-      place_blocks(s, place);
+    const auto count = std::ssize(factor_.supernodes);
+    std::vector<std::size_t> sizes(factor_.supernodes.size());
+    each_in_ranges(count, kSupernodesTogether, [&](std::ptrdiff_t k) {
+      const auto place = static_cast<std::size_t>(k);
+      sizes[place] = count_blocks(factor_.supernodes[place]);
+    });
+    std::size_t all = 0;
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      factor_.supernodes[k].block_start = all;
+      all += sizes[k];
     }
+    factor_.blocks.resize(all);
+    constexpr std::ptrdiff_t kRanges = 16;
+    in_ranges(count, std::max(kSupernodesTogether, count / kRanges),
+              [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+                UnfilledVector<int> place(of_node_.size());  // of nodes in a front
+                for (std::ptrdiff_t k = begin; k < end; ++k)
+                  find_places(factor_.supernodes[static_cast<std::size_t>(k)], place);
+              });
   }
 
  private:
-  void place_blocks(Supernode& s, const std::vector<int>& place) {
-    s.block_start = factor_.blocks.size();
-    for (int k = 0; k < s.columns / 2; ++k)
-      for (const LaterBlock& block : later_.of(s.first / 2 + k)) {
-        const int target = 2 * (k * s.rows() + place[at(block.row)]);
-        factor_.blocks.push_back(
-            {block.first, block.second, block.is_transposed ? ~target : target});
+  /// Rows beyond the subtree come last, in their order.
+  void find_rows_in(const Subtree& subtree) {
+    const Supernode& root = supernode(subtree.root);
+    const int begin = supernode(subtree.first).first / 2, end = (root.first + root.columns) / 2;
+    std::vector<std::pair<int, int>> beyond;  // rows, and supernodes to climb from
+    for (int i = begin; i < end; ++i) {
+      const int k = of_node_[at(i)];
+      for (const BlockOfNode& block : tree_.blocks.of(i))
+        if (block.other < i)
+          climb(i, of_node_[at(block.other)], k);
+        else if (block.other >= end)
+          beyond.emplace_back(block.other, k);
+    }
+    std::ranges::sort(beyond);
+    for (const auto& [row, k] : beyond) climb(row, k, root.parent);
+  }
+
+  /// Paths from a subtree up to the top are known to lead through its root.
+  void find_rows_of_top() {
+    std::vector<int> from(factor_.supernodes.size());
+    std::iota(from.begin(), from.end(), 0);
+    for (const Subtree& subtree : factor_.subtrees)
+      std::fill(from.begin() + subtree.first, from.begin() + subtree.root + 1,
+                supernode(subtree.root).parent);
+    for (const int k : factor_.top)
+      for (int i = supernode(k).first / 2, n = supernode(k).columns / 2; n-- > 0; ++i)
+        for (const BlockOfNode& block : tree_.blocks.of(i))
+          if (block.other < i) climb(i, from[at(of_node_[at(block.other)])], k);
+  }
+
+  /// Puts a row into the supernodes from one of them up to below another, or to where it is in.
+  void climb(int row, int k, int end) {
+    for (; k != end && last_row_[at(k)] != row; k = supernode(k).parent) {
+      last_row_[at(k)] = row;
+      factor_.rows[next_[at(k)]++] = row;
+    }
+  }
+
+  std::size_t count_blocks(const Supernode& s) const {
+    std::size_t count = 0;
+    for (int node = s.first / 2; node < (s.first + s.columns) / 2; ++node)
+      for (const BlockOfNode& block : tree_.blocks.of(node)) count += block.other > node ? 1 : 0;
+    return count;
+  }
+
+  void find_places(const Supernode& s, UnfilledVector<int>& place) {
+    int count = 0;
+    for (int i = s.first / 2; count < s.columns / 2; ++i) place[at(i)] = count++;
+    for (const int i : factor_.rows_of(s)) place[at(i)] = count++;
+    for (int k = s.child; k >= 0; k = supernode(k).sibling) {
+      std::size_t next = supernode(k).row_start;
+      for (const int i : factor_.rows_of(supernode(k))) factor_.places[next++] = place[at(i)];
+    }
+    BlockOfPanel* next = factor_.blocks.data() + s.block_start;
+    for (int k = 0; k < s.columns / 2; ++k) {
+      const int node = s.first / 2 + k;
+      for (const BlockOfNode& block : tree_.blocks.of(node)) {
+        if (block.other < node) continue;
+        const int target = 2 * (k * s.rows() + place[at(block.other)]);
+        const auto& [first, second] = block.place;
+        *next++ = {first, second, is_transposed(node, block.other) ? ~target : target};
       }
+    }
+  }
+
+  /// Of the block of two places: whether its row is the node that comes first.
+  bool is_transposed(int earlier, int later) const {
+    return tree_.order.nodes[at(earlier)] > tree_.order.nodes[at(later)];
   }
 
   Supernode& supernode(int k) { return factor_.supernodes[at(k)]; }
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+  static constexpr std::ptrdiff_t kSupernodesTogether = 512;
+
   const EliminationTree& tree_;
-  const LaterBlocks later_;
   SymbolicFactor& factor_;
   std::vector<int> of_node_;  ///< the supernode of every place
+  /// While rows are found, by supernodes: the last one, and where the next goes.
+  std::vector<int> last_row_;
+  std::vector<std::size_t> next_;
 };
 
 }  // namespace
 
-SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, EliminationTree tree,
-                               double parted_from) {
+SymbolicFactor symbolic_factor(EliminationTree tree, double parted_from) {
   SymbolicFactor factor;
-  FactorBuilder builder(matrix, tree, factor);
+  FactorBuilder builder(tree, factor);
   builder.make_supernodes();
   builder.link();
+  find_subtrees(factor, parted_from);
   builder.find_rows();
   builder.find_places();
-  factor.order = std::move(tree.order);
+  factor.order = std::move(tree.order.nodes);
   factor.parent = std::move(tree.parent);
-  plan_work(factor, parted_from);
+  plan_work(factor);
   return factor;
 }
 

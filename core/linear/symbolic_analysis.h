@@ -12,9 +12,8 @@ namespace foldless {
 /// out.
 constexpr double kPartedFrom = 4e6;
 
-/// `tree` is that of the matrix. A factorization of `parted_from` multiplications or more is parted
-/// into subtrees. Throws Error where a panel has more than 2³¹ values.
-SymbolicFactor symbolic_factor(const SparseSymmetric& matrix, EliminationTree tree,
-                               double parted_from = kPartedFrom);
+/// A factorization of `parted_from` multiplications or more is parted into subtrees. Throws Error
+/// where a panel has more than 2³¹ values.
+SymbolicFactor symbolic_factor(EliminationTree tree, double parted_from = kPartedFrom);
 
 }  // namespace foldless

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/linear/sparse_symmetric.h"
+#include "core/threads/unfilled_vector.h"
 
 namespace foldless {
 
@@ -50,14 +51,14 @@ struct SymbolicFactor {
   std::vector<int> order;             ///< the node of each place in the order of elimination
   std::vector<int> parent;            ///< the elimination tree of the places; −1 at a root
   std::vector<Supernode> supernodes;  ///< children before their parents
-  std::vector<int> rows;              ///< places of the nodes below the columns, sorted
-  std::vector<int> places;  ///< of the same nodes in the front of the parent, counted in nodes
-  std::vector<BlockOfPanel> blocks;  ///< but for those on the diagonal
-  std::vector<Subtree> subtrees;     ///< of about equal work; none where there is little in all
-  std::vector<int> top;              ///< supernodes in no subtree, in their order
+  UnfilledVector<int> rows;           ///< places of the nodes below the columns, sorted
+  UnfilledVector<int> places;  ///< of the same nodes in the front of the parent, counted in nodes
+  UnfilledVector<BlockOfPanel> blocks;  ///< but for those on the diagonal
+  std::vector<Subtree> subtrees;        ///< of about equal work; none where there is little in all
+  std::vector<int> top;                 ///< supernodes in no subtree, in their order
   /// The same as `rows`, but what a subtree has in rows above it is at places of its own beyond the
   /// end of the matrix, its *outer* places, in the order of its root's rows.
-  std::vector<int> solve_rows;
+  UnfilledVector<int> solve_rows;
   std::size_t values = 0;           ///< of all panels
   std::size_t updates = 0;          ///< room for the update matrices that wait for their parents
   std::size_t subtree_updates = 0;  ///< the same of one subtree at a time, but for its root's
@@ -71,7 +72,7 @@ struct SymbolicFactor {
   std::span<const int> places_of(const Supernode& s) const { return of(places, s); }
 
  private:
-  static std::span<const int> of(const std::vector<int>& array, const Supernode& s) {
+  static std::span<const int> of(const UnfilledVector<int>& array, const Supernode& s) {
     return {array.data() + s.row_start, static_cast<std::size_t>(s.below / 2)};
   }
 };

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/threads/team.h"
+
 namespace foldless {
 namespace {
 
@@ -21,58 +23,35 @@ double multiplications(const Supernode& s) {
   return (rows * rows * rows - below * below * below) / 3;
 }
 
+/// Supernodes that are in no subtree, among them.
+void fill_top(SymbolicFactor& factor, int begin, int end) {
+  for (int k = begin; k < end; ++k) factor.top.push_back(k);
+}
+
 class Planner {
  public:
   explicit Planner(SymbolicFactor& factor)
       : factor_(factor),
-        family_(factor.supernodes.size(), 1),
         is_odd_(factor.supernodes.size(), 0),
         is_root_(factor.supernodes.size(), 0) {
     for (std::size_t k = is_odd_.size(); k-- > 0;) {
       const int parent = factor.supernodes[k].parent;
       if (parent >= 0) is_odd_[k] = !is_odd_[as_index(parent)];
     }
-  }
-
-  void find_subtrees(double parted_from) {
-    std::vector<double> work(factor_.supernodes.size(), 0);
-    double all = 0;
-    for (std::size_t k = 0; k < work.size(); ++k) {
-      const Supernode& s = factor_.supernodes[k];
-      all += multiplications(s);
-      work[k] += multiplications(s);
-      if (s.parent < 0) continue;
-      work[as_index(s.parent)] += work[k];
-      family_[as_index(s.parent)] += family_[k];
-    }
-    if (all < parted_from) return fill_top(0, static_cast<int>(work.size()));
-    const double most = kLargestShare * all;
-    int end = static_cast<int>(work.size());
-    for (int k = end - 1; k >= 0; --k) {
-      if (work[as_index(k)] > most) continue;
-      const int first = k + 1 - family_[as_index(k)];
-      factor_.subtrees.push_back({first, k, 0});
-      is_root_[as_index(k)] = 1;
-      fill_top(k + 1, end);
-      k = end = first;
-    }
-    fill_top(0, end);
-    std::ranges::reverse(factor_.subtrees);
-    std::ranges::sort(factor_.top);
+    for (const Subtree& subtree : factor.subtrees) is_root_[as_index(subtree.root)] = 1;
   }
 
   void number_outer_places() {
-    factor_.solve_rows = factor_.rows;
-    std::vector<int> place(factor_.order.size(), -1);
+    factor_.solve_rows.resize(factor_.rows.size());
     for (Subtree& subtree : factor_.subtrees) {
-      const Supernode& root = factor_.supernodes[as_index(subtree.root)];
       subtree.outer_start = factor_.outer;
-      for (const int row : factor_.rows_of(root))
-        place[as_index(row)] = static_cast<int>(place.size()) + factor_.outer++;
-      const int end = (root.first + root.columns) / 2;
-      for (std::size_t i = factor_.supernodes[as_index(subtree.first)].row_start;
-           i < root.row_start + as_index(root.below / 2); ++i)
-        if (factor_.rows[i] >= end) factor_.solve_rows[i] = place[as_index(factor_.rows[i])];
+      factor_.outer += factor_.supernodes[as_index(subtree.root)].below / 2;
+    }
+    in_parallel(static_cast<int>(factor_.subtrees.size()),
+                [&](int k) { number_outer_places_of(factor_.subtrees[as_index(k)]); });
+    for (const int k : factor_.top) {
+      const std::span<const int> rows = factor_.rows_of(factor_.supernodes[as_index(k)]);
+      std::ranges::copy(rows, factor_.solve_rows.data() + (rows.data() - factor_.rows.data()));
     }
   }
 
@@ -93,8 +72,17 @@ class Planner {
   }
 
  private:
-  void fill_top(int begin, int end) {
-    for (int k = begin; k < end; ++k) factor_.top.push_back(k);
+  void number_outer_places_of(const Subtree& subtree) {
+    const Supernode& root = factor_.supernodes[as_index(subtree.root)];
+    UnfilledVector<int> place(factor_.order.size());
+    int next = factor_.size() / 2 + subtree.outer_start;
+    for (const int row : factor_.rows_of(root)) place[as_index(row)] = next++;
+    const int end = (root.first + root.columns) / 2;
+    for (std::size_t i = factor_.supernodes[as_index(subtree.first)].row_start;
+         i < root.row_start + as_index(root.below / 2); ++i) {
+      const int row = factor_.rows[i];
+      factor_.solve_rows[i] = row < end ? row : place[as_index(row)];
+    }
   }
 
   static std::size_t update_size(const Supernode& s) {
@@ -127,16 +115,40 @@ class Planner {
   }
 
   SymbolicFactor& factor_;
-  std::vector<int> family_;    ///< supernodes of the subtree of each
   std::vector<char> is_odd_;   ///< depth of each
   std::vector<char> is_root_;  ///< of a subtree that is a task
 };
 
 }  // namespace
 
-void plan_work(SymbolicFactor& factor, double parted_from) {
+void find_subtrees(SymbolicFactor& factor, double parted_from) {
+  const std::size_t count = factor.supernodes.size();
+  std::vector<double> work(count, 0);  // of every supernode and what is below it
+  std::vector<int> family(count, 1);   // how many these are
+  double all = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Supernode& s = factor.supernodes[k];
+    all += multiplications(s);
+    work[k] += multiplications(s);
+    if (s.parent < 0) continue;
+    work[as_index(s.parent)] += work[k];
+    family[as_index(s.parent)] += family[k];
+  }
+  int end = static_cast<int>(count);
+  for (int k = all < parted_from ? -1 : end - 1; k >= 0; --k) {
+    if (work[as_index(k)] > kLargestShare * all) continue;
+    const int first = k + 1 - family[as_index(k)];
+    factor.subtrees.push_back({first, k, 0});
+    fill_top(factor, k + 1, end);
+    k = end = first;
+  }
+  fill_top(factor, 0, end);
+  std::ranges::reverse(factor.subtrees);
+  std::ranges::sort(factor.top);
+}
+
+void plan_work(SymbolicFactor& factor) {
   Planner planner(factor);
-  planner.find_subtrees(parted_from);
   planner.number_outer_places();
   planner.place_updates();
 }

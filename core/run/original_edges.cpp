@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/threads/values_of_ranges.h"
+
 namespace foldless {
 namespace {
 
-/// Calls visit(edge) for the three edges of every triangle.
-template <typename Visit>
-void for_each_edge(const Triangles& triangles, const Visit& visit) {
+/// Calls visit(edge) for the three edges of every triangle, an expression like Triangles.
+template <class Some, class Visit>
+void for_each_edge(const Some& triangles, const Visit& visit) {
   for (const auto& t : triangles.colwise())
     for (int k = 0; k < 3; ++k) {
       const int a = t[k];
@@ -40,10 +42,15 @@ bool OriginalEdges::contains(const Edge& edge) const {
 
 std::vector<Edge> OriginalEdges::flipped_in(const Triangles& triangles) const {
   const int vertices = static_cast<int>(first_.size()) - 1;
-  std::vector<Edge> flipped;
-  for_each_edge(triangles, [&](const Edge& e) {
-    if (e[1] < vertices && !contains(e)) flipped.push_back(e);
-  });
+  constexpr std::ptrdiff_t kTrianglesTogether = 8192;
+  std::vector<Edge> flipped = joined_ranges(
+      triangles.cols(), kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+        std::vector<Edge> found;
+        for_each_edge(triangles.middleCols(begin, end - begin), [&](const Edge& e) {
+          if (e[1] < vertices && !contains(e)) found.push_back(e);
+        });
+        return found;
+      });
   std::ranges::sort(flipped);
   flipped.erase(std::unique(flipped.begin(), flipped.end()), flipped.end());
   return flipped;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/solve/carry_patches.h"
 #include "core/solve/descent.h"
 #include "core/solve/line_search.h"
 #include "core/solve/newton_step.h"
@@ -23,13 +24,26 @@ Points way_of_handles(const MeshPair& mesh, const Constraints& constraints) {
 }
 
 /// u + t·step; at t = 1 the handles are where they should be to the last bit.
-Points moved(const MeshPair& mesh, const Constraints& constraints, const Points& step, double t) {
-  Points u = mesh.deformed() + t * step;
+Points moved(const Points& before, const Constraints& constraints, const Points& step, double t) {
+  Points u = before + t * step;
   if (t < 1) return u;
   for (int i = 0; i < constraints.count(); ++i)
     if (constraints.is_eliminated(i))
       u.col(constraints.vertices[static_cast<std::size_t>(i)]) = constraints.targets.col(i);
   return u;
+}
+
+/// Returns t.
+double move_as_far_as_possible(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
+                               const Points& step) {
+  const auto& [settings, constraints] = energy;
+  StageTimer timer(system.effort().times.line_search);
+  const double t_max = system.objective().largest_step(settings, mesh.deformed(), step);
+  const double t = std::min(1.0, kFirstTrial * t_max);
+  Points u = moved(mesh.deformed(), constraints, step, t);
+  if (!system.objective().is_feasible(settings, mesh.deformed(), u)) return 0;
+  mesh.set_deformed(std::move(u));
+  return t;
 }
 
 }  // namespace
@@ -53,17 +67,16 @@ VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& e
     lagged = LaggedStep{carrying_step(system, settings, mesh.deformed(), way)};
   }
   const Points& step = lagged->step;
-  StageTimer timer(system.effort().times.line_search);
-  const double t_max = system.objective().largest_step(settings, mesh.deformed(), step);
-  double t = std::min(1.0, kFirstTrial * t_max);
-  Points u = moved(mesh, constraints, step, t);
-  if (!system.objective().is_feasible(settings, mesh.deformed(), u)) {
-    t = 0;
-    u = mesh.deformed();
+  const Points before = mesh.deformed();
+  update.step_length = move_as_far_as_possible(system, mesh, energy, step);
+  if (update.step_length < 1) {
+    const Points end = moved(before, constraints, step, 1);
+    if (auto u = carry_patches(system, mesh, energy, {before, step, end}, token)) {
+      mesh.set_deformed(std::move(*u));
+      update.step_length = 1;
+    }
   }
-  update.step_length = t;
-  update.step_infinity_norm = (u - mesh.deformed()).cwiseAbs().maxCoeff();
-  mesh.set_deformed(std::move(u));
+  update.step_infinity_norm = (mesh.deformed() - before).cwiseAbs().maxCoeff();
   system.factor().outdate();
   ++system.effort().updates;
   return update;

@@ -8,6 +8,7 @@
 #include "core/mesh/boundary.h"
 #include "core/mesh/patches.h"
 #include "core/solve/descent.h"
+#include "core/solve/patch_energy.h"
 
 namespace foldless {
 namespace relaxing_patches {
@@ -34,32 +35,6 @@ std::vector<bool> free_vertices(const Workspace& work, const std::vector<int>& t
   for (int i = 0; i < work.constraints.count(); ++i)
     if (!work.constraints.soft[at(i)]) is_free[at(work.constraints.vertices[at(i)])] = false;
   return is_free;
-}
-
-/// E of a patch: soft handles at vertices that move pull as they do in the whole, all vertices that
-/// are not free are held.
-Energy energy_of(const Patch& patch, const Points& deformed, const std::vector<bool>& is_free,
-                 const Energy& whole) {
-  Energy energy = whole;
-  energy.settings.gap_weight = 0;
-  std::vector<Handle> handles;
-  std::vector<int> place(is_free.size(), -1);
-  for (int v = 0; v < std::ssize(patch.vertices); ++v) {
-    const int in_whole = patch.vertices[at(v)];
-    if (is_free[at(in_whole)])
-      place[at(in_whole)] = v;
-    else
-      handles.push_back({.vertex = v, .target = deformed.col(v)});
-  }
-  const Constraints& pulls = whole.constraints;
-  for (int i = 0; i < pulls.count(); ++i)
-    if (const int v = place[at(pulls.vertices[at(i)])]; v >= 0)
-      handles.push_back({.vertex = v,
-                         .target = pulls.targets.col(i),
-                         .kind = HandleKind::soft,
-                         .weight = pulls.weights[i]});
-  energy.constraints = held(constraints_of(handles));
-  return energy;
 }
 
 /// Newton's method on the patch alone.
@@ -89,7 +64,7 @@ void relax_patches(Workspace& work, const Energy& energy, const std::vector<int>
     MeshPair part(patch.triangles, mesh.rest()(Eigen::all, patch.vertices),
                   u(Eigen::all, patch.vertices));
     part.set_stiffness(mesh.stiffness());
-    relax(part, energy_of(patch, part.deformed(), is_free, energy), work.system.effort(), token);
+    relax(part, energy_of(patch, u, is_free, energy), work.system.effort(), token);
     u(Eigen::all, patch.vertices) = part.deformed();
   }
   work.mesh.set_deformed(std::move(u));

@@ -37,7 +37,7 @@ class HalfPrecisionSolve : public testing::Test {
 /// A factor that was made in single precision, and what half precision makes of it.
 struct Rounded {
   explicit Rounded(const SparseSymmetric& m)
-      : symbolic(symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)), 0)) {
+      : symbolic(symbolic_factor(elimination_tree(m, fill_reducing_ordering(m)), 0)) {
     Buffer<std::byte> updates;
     single.reserve(symbolic.values);
     is_definite = factorize(symbolic, m, 0, single.data(), updates) == m.size();

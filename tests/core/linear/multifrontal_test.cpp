@@ -20,6 +20,7 @@
 #include "core/threads/team.h"
 #include "tests/support/dense_matrix.h"
 #include "tests/support/random_symmetric.h"
+#include "tests/support/square_pattern.h"
 
 namespace foldless {
 namespace {
@@ -78,8 +79,7 @@ TEST(Multifrontal, NoticesAnIndefiniteMatrixAtTheColumnWhereItShows) {
     SparseSymmetric m = dominated(random_symmetric(seed), seed);
     std::mt19937 random(seed);
     diagonal(m, std::uniform_int_distribution(0, m.size() - 1)(random)) *= -0.5;
-    const SymbolicFactor factor =
-        symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)));
+    const SymbolicFactor factor = symbolic_factor(elimination_tree(m, fill_reducing_ordering(m)));
     Buffer<double> values;
     values.reserve(factor.values);
     Buffer<std::byte> updates;
@@ -94,8 +94,7 @@ TEST(Multifrontal, PanelsHoldAllRowsOfTheFactorAndFew) {
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SparseSymmetric m = random_symmetric(seed);
-    const SymbolicFactor factor =
-        symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)));
+    const SymbolicFactor factor = symbolic_factor(elimination_tree(m, fill_reducing_ordering(m)));
     int column = 0;
     for (const Supernode& s : factor.supernodes) {
       EXPECT_EQ(s.first, column);
@@ -130,7 +129,7 @@ TEST(Multifrontal, InSinglePrecisionIsTheSameFactorButForRounding) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SparseSymmetric m = dominated(random_symmetric(seed), seed);
     const SymbolicFactor factor =
-        symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)), 0);
+        symbolic_factor(elimination_tree(m, fill_reducing_ordering(m)), 0);
     std::vector<double> values(factor.values);
     std::vector<float> rounded(factor.values), one_thread(factor.values), three(factor.values);
     Buffer<std::byte> updates;
@@ -153,7 +152,7 @@ TEST(Multifrontal, SubtreesGiveTheSameBitsToAnyNumberOfThreads) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SparseSymmetric m = dominated(random_symmetric(seed), seed);
     const SymbolicFactor factor =
-        symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)), 0);
+        symbolic_factor(elimination_tree(m, fill_reducing_ordering(m)), 0);
     parted += factor.subtrees.size() > 1;
     std::vector<std::vector<double>> found;
     for (Team* asked : {static_cast<Team*>(nullptr), &team}) {
@@ -176,23 +175,9 @@ TEST(Multifrontal, SubtreesGiveTheSameBitsToAnyNumberOfThreads) {
   EXPECT_GT(parted, kSeeds / 2);
 }
 
-/// Diagonal edges make it a mesh of triangles.
-SparseSymmetric of_a_square(int side) {
-  std::vector<std::pair<int, int>> edges;
-  for (int i = 0; i < side; ++i)
-    for (int j = 0; j < side; ++j) {
-      const int node = i * side + j;
-      if (j + 1 < side) edges.emplace_back(node, node + 1);
-      if (i + 1 < side) edges.emplace_back(node, node + side);
-      if (i + 1 < side && j + 1 < side) edges.emplace_back(node, node + side + 1);
-    }
-  return sparse_symmetric(side * side, edges);
-}
-
 TEST(Multifrontal, UpdateMatricesOfSubtreesHaveTheSameRoomInTurn) {
-  const SparseSymmetric m = of_a_square(150);
-  const SymbolicFactor factor =
-      symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)), 0);
+  const SparseSymmetric m = test::square_pattern(150);
+  const SymbolicFactor factor = symbolic_factor(elimination_tree(m, fill_reducing_ordering(m)), 0);
   EXPECT_GT(factor.subtrees.size(), 15U);
   EXPECT_LT(2 * factor.subtree_updates + factor.updates, factor.values / 2);
 }

@@ -27,7 +27,7 @@ TEST(SinglePrecisionSolve, IsThatOfDoublePrecisionButForRounding) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SparseSymmetric m = test::dominated(test::random_symmetric(seed), seed);
     const SymbolicFactor factor =
-        symbolic_factor(m, elimination_tree(m, fill_reducing_ordering(m)), 0);
+        symbolic_factor(elimination_tree(m, fill_reducing_ordering(m)), 0);
     std::vector<double> values(factor.values);
     Buffer<std::byte> updates;
     ASSERT_EQ(factorize(factor, m, 0, values.data(), updates), m.size());
