@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/solve/carry_patches.h"
 #include "core/solve/descent.h"
 #include "core/solve/line_search.h"
 #include "core/solve/newton_step.h"
@@ -34,8 +33,8 @@ Points moved(const Points& before, const Constraints& constraints, const Points&
 }
 
 /// Returns t.
-double move_as_far_as_possible(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
-                               const Points& step) {
+double move_along_the_step(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
+                           const Points& step) {
   const auto& [settings, constraints] = energy;
   StageTimer timer(system.effort().times.line_search);
   const double t_max = system.objective().largest_step(settings, mesh.deformed(), step);
@@ -50,6 +49,11 @@ double move_as_far_as_possible(NewtonSystem& system, MeshPair& mesh, const Energ
 
 VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
                            const std::stop_token& token) {
+  return carry_as_far_as_possible(system, mesh, energy, token).update;
+}
+
+Carry carry_as_far_as_possible(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
+                               const std::stop_token& token) {
   const auto& [settings, constraints] = energy;
   system.factor().obey(token);
   system.assemble(energy, mesh.deformed(), 1);
@@ -59,27 +63,25 @@ VertexUpdate carry_handles(NewtonSystem& system, MeshPair& mesh, const Energy& e
   };
   std::optional<LaggedStep> lagged = lagged_step();
   if (!lagged || lagged->is_indefinite) lagged = rough_clamped_step(system, token, lagged_step);
-  VertexUpdate update;
+  Carry carry;
+  VertexUpdate& update = carry.update;
   if (!lagged) {
     const std::optional<double> mu = factorize_clamped(system, token);
-    if (!mu) return {.cancelled = token.stop_requested()};
+    if (!mu) return {{.cancelled = token.stop_requested()}, std::nullopt};
     update.mu = *mu;
     lagged = LaggedStep{carrying_step(system, settings, mesh.deformed(), way)};
   }
-  const Points& step = lagged->step;
-  const Points before = mesh.deformed();
-  update.step_length = move_as_far_as_possible(system, mesh, energy, step);
-  if (update.step_length < 1) {
-    const Points end = moved(before, constraints, step, 1);
-    if (auto u = carry_patches(system, mesh, energy, {before, step, end}, token)) {
-      mesh.set_deformed(std::move(*u));
-      update.step_length = 1;
-    }
-  }
+  Points& step = lagged->step;
+  Points before = mesh.deformed();
+  update.step_length = move_along_the_step(system, mesh, energy, step);
   update.step_infinity_norm = (mesh.deformed() - before).cwiseAbs().maxCoeff();
   system.factor().outdate();
   ++system.effort().updates;
-  return update;
+  if (update.step_length < 1) {
+    Points end = moved(before, constraints, step, 1);
+    carry.stopped.emplace(StoppedCarry{energy, std::move(before), std::move(step), std::move(end)});
+  }
+  return carry;
 }
 
 }  // namespace foldless

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/mesh/patches.h"
-#include "core/solve/carry_handles.h"
 #include "core/solve/line_search.h"
 #include "core/solve/patch_energy.h"
 
@@ -87,9 +86,8 @@ bool arrives(MeshPair& patch, const Energy& energy, Effort& effort, const std::s
 }  // namespace
 
 std::optional<Points> carry_patches(NewtonSystem& system, const MeshPair& mesh,
-                                    const Energy& energy, const StoppedStep& stopped,
-                                    const std::stop_token& token) {
-  const auto& [before, step, end] = stopped;
+                                    const StoppedCarry& carry, const std::stop_token& token) {
+  const auto& [energy, before, step, end] = carry;
   const Objective& objective = system.objective();
   // Boundary vertices go the whole step, and their gaps are bounded by it.
   if (kFirstTrial * objective.largest_step_of_gaps(energy.settings, before, step) < 1)
@@ -109,6 +107,18 @@ std::optional<Points> carry_patches(NewtonSystem& system, const MeshPair& mesh,
   }
   if (!objective.is_feasible(energy.settings, mesh.deformed(), u)) return std::nullopt;
   return u;
+}
+
+VertexUpdate carry_handles_and_patches(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
+                                       const std::stop_token& token) {
+  auto [update, stopped] = carry_as_far_as_possible(system, mesh, energy, token);
+  if (!stopped) return update;
+  if (std::optional<Points> u = carry_patches(system, mesh, *stopped, token)) {
+    mesh.set_deformed(std::move(*u));
+    update.step_length = 1;
+    update.step_infinity_norm = (mesh.deformed() - stopped->before).cwiseAbs().maxCoeff();
+  }
+  return update;
 }
 
 }  // namespace foldless

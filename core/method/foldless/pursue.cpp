@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/method/foldless/legs.h"
-#include "core/solve/carry_handles.h"
+#include "core/solve/carry_patches.h"
 
 namespace foldless {
 namespace pursuit {
@@ -16,7 +16,7 @@ constexpr int kMostShortSteps = 3;
 /// Carries the handles to where they are held.
 Steps<Progress> carry_to(Workspace& work, const Energy& energy) {
   const auto carry = [&](const std::stop_token& token) {
-    return carry_handles(work.system, work.mesh, energy, token);
+    return carry_handles_and_patches(work.system, work.mesh, energy, token);
   };
   for (int short_steps = 0; short_steps < kMostShortSteps;) {
     const VertexUpdate update = co_await vertex_update(carry);

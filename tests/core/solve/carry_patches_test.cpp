@@ -9,7 +9,6 @@
 
 #include "core/energy/densities.h"
 #include "core/mesh/injective.h"
-#include "core/solve/carry_handles.h"
 #include "core/solve/descent.h"
 #include "core/solve/line_search.h"
 #include "core/solve/newton_step.h"
@@ -62,7 +61,7 @@ struct Stopped {
   int moved() const { return energy.constraints.vertices[1]; }
 
   std::optional<Points> carried(const std::stop_token& token = {}) {
-    return carry_patches(system, mesh, energy, {before, step, end}, token);
+    return carry_patches(system, mesh, {energy, before, step, end}, token);
   }
 
   MeshPair mesh;
@@ -137,7 +136,7 @@ TEST(CarryPatches, AHandleArrivesInOneCarryThatHasPassedItsNeighbours) {
   s.mesh.set_deformed(s.before);
   Effort effort;
   NewtonSystem system(s.mesh, s.energy.constraints, effort);
-  const VertexUpdate update = carry_handles(system, s.mesh, s.energy, {});
+  const VertexUpdate update = carry_handles_and_patches(system, s.mesh, s.energy, {});
   EXPECT_EQ(update.step_length, 1);
   EXPECT_EQ(handle_error_squared(s.energy.constraints, s.mesh.deformed()), 0);
   EXPECT_GT(effort.updates, 1) << "those of a patch count";
