@@ -67,8 +67,7 @@ Triangles triangles_at(const MeshPair& mesh, const NearVertices& near,
     if (is_free[as_size(v)])
       for (const int t : mesh.triangles_of_vertex(v)) triangles.push_back(t);
   std::ranges::sort(triangles);
-  const auto repeated = std::ranges::unique(triangles);
-  triangles.erase(repeated.begin(), repeated.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return mesh.triangles()(Eigen::all, triangles);
 }
 
