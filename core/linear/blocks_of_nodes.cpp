@@ -50,18 +50,27 @@ ItemLists<BlockOfNode> blocks_of_nodes(const SparseSymmetric& matrix) {
   return lists;
 }
 
-ItemLists<BlockOfNode> in_order(const ItemLists<BlockOfNode>& blocks, const NodeOrder& order) {
+std::vector<int> places_in(const std::vector<int>& order) {
+  std::vector<int> places(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    places[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  return places;
+}
+
+ItemLists<BlockOfNode> in_order(const ItemLists<BlockOfNode>& blocks,
+                                const std::vector<int>& order) {
+  const std::vector<int> places = places_in(order);
   ItemLists<BlockOfNode> lists;
   lists.start.assign(1, 0);
   lists.start.reserve(blocks.start.size());
-  for (const int node : order.nodes) lists.start.push_back(blocks.of(node).size());
+  for (const int node : order) lists.start.push_back(blocks.of(node).size());
   lists.make_room();
   constexpr std::ptrdiff_t kListsTogether = 2048;
-  each_in_ranges(std::ssize(order.nodes), kListsTogether, [&](std::ptrdiff_t k) {
+  each_in_ranges(std::ssize(order), kListsTogether, [&](std::ptrdiff_t k) {
     const auto place = static_cast<std::size_t>(k);
     BlockOfNode* next = lists.items.data() + lists.start[place];
-    for (const BlockOfNode& block : blocks.of(order.nodes[place]))
-      *next++ = {order.places[static_cast<std::size_t>(block.other)], block.place};
+    for (const BlockOfNode& block : blocks.of(order[place]))
+      *next++ = {places[static_cast<std::size_t>(block.other)], block.place};
   });
   return lists;
 }

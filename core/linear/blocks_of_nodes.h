@@ -17,13 +17,10 @@ struct BlockOfNode {
 /// Those of every node: each block is in two lists.
 ItemLists<BlockOfNode> blocks_of_nodes(const SparseSymmetric& matrix);
 
-/// The nodes of a matrix in an order.
-struct NodeOrder {
-  std::vector<int> nodes;   ///< by places
-  std::vector<int> places;  ///< by nodes
-};
-
-/// The same by places, of which `other` is one then.
-ItemLists<BlockOfNode> in_order(const ItemLists<BlockOfNode>& blocks, const NodeOrder& order);
+/// The same by places in an order of the nodes, of which `other` is one then.
+ItemLists<BlockOfNode> in_order(const ItemLists<BlockOfNode>& blocks,
+                                const std::vector<int>& order);
+/// The place of each node in an order.
+std::vector<int> places_in(const std::vector<int>& order);
 
 }  // namespace foldless

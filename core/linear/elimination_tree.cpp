@@ -9,12 +9,6 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-std::vector<int> inverse(const std::vector<int>& order) {
-  std::vector<int> position(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) position[index(order[k])] = static_cast<int>(k);
-  return position;
-}
-
 /// Liu's algorithm with path compression.
 std::vector<int> parents_of(const ItemLists<BlockOfNode>& blocks) {
   const int nodes = blocks.count();
@@ -62,7 +56,7 @@ std::vector<int> postorder(const std::vector<int>& parent) {
 }
 
 std::vector<int> relabelled(const std::vector<int>& parent, const std::vector<int>& order) {
-  const std::vector<int> position = inverse(order);
+  const std::vector<int> position = places_in(order);
   std::vector<int> result(parent.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     const int p = parent[index(order[k])];
@@ -140,15 +134,13 @@ std::vector<int> column_counts(const ItemLists<BlockOfNode>& blocks,
 
 EliminationTree elimination_tree(const SparseSymmetric& matrix, const std::vector<int>& order) {
   EliminationTree tree;
-  tree.order = {order, inverse(order)};
-  tree.blocks = in_order(blocks_of_nodes(matrix), tree.order);
+  tree.order = order;
+  tree.blocks = in_order(blocks_of_nodes(matrix), order);
   tree.parent = parents_of(tree.blocks);
-  if (std::vector<int> post = postorder(tree.parent); !std::ranges::is_sorted(post)) {
+  if (const std::vector<int> post = postorder(tree.parent); !std::ranges::is_sorted(post)) {
     tree.parent = relabelled(tree.parent, post);
-    std::ranges::transform(post, tree.order.nodes.begin(), [&](int k) { return order[index(k)]; });
-    tree.order.places = inverse(tree.order.nodes);
-    const std::vector<int> places = inverse(post);
-    tree.blocks = in_order(tree.blocks, {std::move(post), places});
+    std::ranges::transform(post, tree.order.begin(), [&](int k) { return order[index(k)]; });
+    tree.blocks = in_order(tree.blocks, post);
   }
   tree.count = column_counts(tree.blocks, tree.parent);
   return tree;

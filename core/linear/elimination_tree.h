@@ -10,7 +10,7 @@ namespace foldless {
 /// The elimination tree of a symmetric matrix whose nodes are eliminated in a postorder of it, so
 /// that every node comes right after all its descendants [Liu90].
 struct EliminationTree {
-  NodeOrder order;          ///< of elimination
+  std::vector<int> order;   ///< the node that is eliminated at each place
   std::vector<int> parent;  ///< by places; −1 at a root
   std::vector<int> count;   ///< nodes in a column of the factor of the graph, itself among them
   ItemLists<BlockOfNode> blocks;  ///< by places

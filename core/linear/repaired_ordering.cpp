@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/linear/blocks_of_nodes.h"
 #include "core/threads/values_of_ranges.h"
 
 namespace foldless {
@@ -77,8 +78,7 @@ class Repair {
 
 std::vector<int> repaired_ordering(const SparseSymmetric& matrix, const std::vector<int>& order,
                                    const std::vector<int>& parent) {
-  std::vector<int> position(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) position[place(order[k])] = static_cast<int>(k);
+  const std::vector<int> position = places_in(order);
   Repair repair(parent);
   constexpr std::ptrdiff_t kNodesTogether = 4096;
   const std::vector<std::pair<int, int>> unconnected =

@@ -157,7 +157,7 @@ class FactorBuilder {
 
   /// Of the block of two places: whether its row is the node that comes first.
   bool is_transposed(int earlier, int later) const {
-    return tree_.order.nodes[at(earlier)] > tree_.order.nodes[at(later)];
+    return tree_.order[at(earlier)] > tree_.order[at(later)];
   }
 
   Supernode& supernode(int k) { return factor_.supernodes[at(k)]; }
@@ -183,7 +183,7 @@ SymbolicFactor symbolic_factor(EliminationTree tree, double parted_from) {
   find_subtrees(factor, parted_from);
   builder.find_rows();
   builder.find_places();
-  factor.order = std::move(tree.order.nodes);
+  factor.order = std::move(tree.order);
   factor.parent = std::move(tree.parent);
   plan_work(factor);
   return factor;

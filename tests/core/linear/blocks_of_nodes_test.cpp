@@ -62,16 +62,16 @@ TEST(BlocksOfNodes, InAnOrderGoByPlaces) {
   Team team(3);
   const WithTeam with(&team);
   const SparseSymmetric m = test::square_pattern(70);
-  NodeOrder order{std::vector<int>(static_cast<std::size_t>(m.nodes)),
-                  std::vector<int>(static_cast<std::size_t>(m.nodes))};
-  std::iota(order.nodes.begin(), order.nodes.end(), 0);
-  std::ranges::shuffle(order.nodes, std::mt19937(1));
+  std::vector<int> order(static_cast<std::size_t>(m.nodes));
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::shuffle(order, std::mt19937(1));
+  const std::vector<int> places = places_in(order);
   for (int k = 0; k < m.nodes; ++k)
-    order.places[static_cast<std::size_t>(order.nodes[static_cast<std::size_t>(k)])] = k;
+    ASSERT_EQ(places[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])], k);
   std::multiset<Listed> by_places;
   for (const auto& [node, other, first, second] : expected(m))
-    by_places.emplace(order.places[static_cast<std::size_t>(node)],
-                      order.places[static_cast<std::size_t>(other)], first, second);
+    by_places.emplace(places[static_cast<std::size_t>(node)],
+                      places[static_cast<std::size_t>(other)], first, second);
   EXPECT_EQ(listed(in_order(blocks_of_nodes(m), order)), by_places);
 }
 

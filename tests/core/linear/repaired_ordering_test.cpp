@@ -51,7 +51,7 @@ double work_of(const SparseSymmetric& m, const std::vector<int>& order) {
 TEST(RepairedOrdering, IsTheSameWhereThePatternIs) {
   const SparseSymmetric m = pattern_of(900, grid_edges(30));
   const EliminationTree tree = elimination_tree(m, fill_reducing_ordering(m));
-  EXPECT_EQ(repaired_ordering(m, tree.order.nodes, tree.parent), tree.order.nodes);
+  EXPECT_EQ(repaired_ordering(m, tree.order, tree.parent), tree.order);
 }
 
 TEST(RepairedOrdering, IsNearlyAsGoodAsANewOneAfterFlips) {
@@ -62,11 +62,11 @@ TEST(RepairedOrdering, IsNearlyAsGoodAsANewOneAfterFlips) {
     std::set<NodePair> edges = grid_edges(kSide);
     SparseSymmetric m = pattern_of(kSide * kSide, edges);
     EliminationTree tree = elimination_tree(m, fill_reducing_ordering(m));
-    const std::vector<int> first = tree.order.nodes;
+    const std::vector<int> first = tree.order;
     for (int round = 0; round < 4; ++round) {
       flip(edges, kSide, 100, random);
       m = pattern_of(kSide * kSide, edges);
-      const std::vector<int> order = repaired_ordering(m, tree.order.nodes, tree.parent);
+      const std::vector<int> order = repaired_ordering(m, tree.order, tree.parent);
       std::vector<int> sorted = order;
       std::ranges::sort(sorted);
       for (int i = 0; i < kSide * kSide; ++i) ASSERT_EQ(sorted[static_cast<std::size_t>(i)], i);
@@ -86,7 +86,7 @@ TEST(RepairedOrdering, JoinsWhatHungTogetherNowhere) {
   const EliminationTree tree = elimination_tree(apart, fill_reducing_ordering(apart));
   edges.insert({0, 10});
   const SparseSymmetric joined = pattern_of(20, edges);
-  const std::vector<int> order = repaired_ordering(joined, tree.order.nodes, tree.parent);
+  const std::vector<int> order = repaired_ordering(joined, tree.order, tree.parent);
   EXPECT_TRUE(order.back() == 0 || order.back() == 10);
   // A path has a factor of two nodes a column; with one that comes last, of three at most.
   for (const int count : elimination_tree(joined, order).count) EXPECT_LE(count, 3);
