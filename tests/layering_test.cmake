@@ -61,7 +61,7 @@ set(ENERGY "${MESH}|core/linear/(buffer|sparse_symmetric)\\.h|core/energy/.*")
 set(REMESH "${ENERGY}|core/remesh/.*")
 set(SCENE "${ENERGY}|core/(files|scene)/.*|core/motion/(animation|bake|easing|track)\\.h|core/rig/(mirror_axis|rig)\\.h")
 set(METHOD "${REMESH}|core/(solve|multires|construct|cone|method)/.*|core/scene/parameters\\.h")
-may_include("core/threads/.*" "${PLAIN}|core/threads/.*")
+may_include("core/threads/.*" "${PLAIN}|core/threads/.*|<sanitizer/asan_interface\\.h>")
 may_include("core/mesh/.*" "${MESH}|<CGAL/.*>")
 may_include("core/files/.*" "${FILES}|<CGAL/.*>")
 may_include("core/depth/.*" "${MESH}|core/depth/.*")
@@ -100,7 +100,7 @@ only_in("app/(gui/.*|main\\.cpp)|render/ui_renderer\\.(h|cpp)" "<imgui" "ImGui b
 only_in("app/gui/fontconfig\\.h" "<fontconfig/" "fontconfig belongs to app/gui/fontconfig.h")
 only_in("render/osmesa\\.h" "<GL/osmesa\\.h>" "OSMesa belongs to osmesa.h")
 only_in("core/linear/ordering\\.cpp" "<(amd|cholmod)\\.h>" "SuiteSparse belongs to ordering.cpp")
-only_in("core/linear/(dense_kernels_(avx2|avx512|neon)\\.cpp|(single|half)_precision_solve\\.cpp|node_vectors\\.h)"
+only_in("core/linear/(dense_kernels_(avx2|avx512|neon)\\.cpp|(single|half)_precision_solve\\.cpp|half_factor\\.cpp|node_vectors\\.h)"
         "<(cpuid|immintrin|arm_neon)\\.h>"
         "instructions of one processor belong to its kernels")
 only_in("app/gui/gio\\.h" "<gio/" "GIO belongs to gio.h")

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/large_pages.h"
+#include "core/threads/used_memory.h"
 
 namespace foldless {
 
@@ -22,13 +23,17 @@ class Buffer {
     values_.reset();
     size_ = 0;
     const std::size_t room = size + size / 4;
-    values_ = std::make_unique_for_overwrite<Value[]>(room);
+    values_.reset(static_cast<Value*>(take_memory(room * sizeof(Value))));
     size_ = room;
     ask_for_large_pages(values_.get(), room * sizeof(Value));
   }
 
  private:
-  std::unique_ptr<Value[]> values_;
+  struct GiveBack {
+    void operator()(Value* values) const noexcept { give_back_memory(values); }
+  };
+
+  std::unique_ptr<Value[], GiveBack> values_;
   std::size_t size_ = 0;
 };
 

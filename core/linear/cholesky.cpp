@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/linear/elimination_tree.h"
+#include "core/linear/half_precision_solve.h"
 #include "core/linear/multifrontal.h"
 #include "core/linear/ordering.h"
 #include "core/linear/repaired_ordering.h"
@@ -27,12 +28,11 @@ constexpr std::size_t kManyValues = 20'000'000;
 /// longer, with 2 as long as with this.
 constexpr double kMostWorkOfRepaired = 1.5;
 
-/// Room for so many values that no copy looks at.
-template <class Value>
-Value* own_room(std::shared_ptr<Buffer<Value>>& buffer, std::size_t size) {
-  if (!buffer || buffer.use_count() > 1) buffer = std::make_shared<Buffer<Value>>();
-  buffer->reserve(size);
-  return buffer->data();
+/// One that no copy looks at.
+template <class Values>
+Values& own(std::shared_ptr<Values>& values) {
+  if (!values || values.use_count() > 1) values = std::make_shared<Values>();
+  return *values;
 }
 
 }  // namespace
@@ -52,39 +52,42 @@ void Cholesky::analyze(const SparseSymmetric& matrix) {
 bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision precision) {
   has_factor_ = has_copy_ = false;
   precision_ = solves_in_single_precision() ? precision : Precision::full;
-  if (precision_ == Precision::single) {
-    float* single = new_single();
-    has_factor_ = foldless::factorize(*symbolic_, matrix, shift, single, work_.updates, token_) ==
-                  matrix.size();
-  } else {
-    const bool is_many = symbolic_->values >= kManyValues;
-    if (is_many) {
-      single_.reset();
-      half_.reset();
-    }
-    double* values = own_room(values_, symbolic_->values);
-    has_factor_ = foldless::factorize(*symbolic_, matrix, shift, values, work_.updates, token_) ==
-                  matrix.size();
-    if (is_many) work_.updates = {};
-  }
+  has_factor_ = factorized_columns(matrix, shift) == matrix.size();
   return has_factor_;
+}
+
+int Cholesky::factorized_columns(const SparseSymmetric& matrix, double shift) {
+  Buffer<std::byte>& fronts = work_.fronts;
+  switch (precision_) {
+    case Precision::single:
+      return foldless::factorize(*symbolic_, matrix, shift, own(half_), fronts, token_);
+    case Precision::rounded:
+      return foldless::factorize(*symbolic_, matrix, shift, new_single(), fronts, token_);
+    case Precision::full: break;
+  }
+  const bool is_many = symbolic_->values >= kManyValues;
+  if (is_many) {
+    single_.reset();
+    half_.reset();
+  }
+  Buffer<double>& values = own(values_);
+  values.reserve(symbolic_->values);
+  const int found = foldless::factorize(*symbolic_, matrix, shift, values.data(), fronts, token_);
+  if (is_many) fronts = {};
+  return found;
 }
 
 void Cholesky::copy_factor() {
   if (has_copy_) return;
-  if (precision_ == Precision::full) {
-    to_single_precision(*symbolic_, values_->data(), new_single());
-  } else {
-    if (!half_ || half_.use_count() > 1) half_ = std::make_shared<HalfFactor>();
-    to_half_precision(*symbolic_, single_->data(), *half_);
-  }
+  to_single_precision(*symbolic_, values_->data(), new_single());
   has_copy_ = true;
 }
 
 float* Cholesky::new_single() {
-  float* single = own_room(single_, symbolic_->values + kSingleOverrun);
-  std::fill_n(single + symbolic_->values, kSingleOverrun, 0.0F);
-  return single;
+  Buffer<float>& single = own(single_);
+  single.reserve(symbolic_->values + kSingleOverrun);
+  std::fill_n(single.data() + symbolic_->values, kSingleOverrun, 0.0F);
+  return single.data();
 }
 
 template <class Visit>
@@ -113,7 +116,7 @@ Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
   const double scale = largest_magnitude(right_hand_side);
   if (scale == 0) return Eigen::VectorXd::Zero(right_hand_side.size());
   if (!solves_in_single_precision()) return solve(right_hand_side);
-  copy_factor();
+  if (precision_ == Precision::full) copy_factor();
   work_.single_in_order.reserve(static_cast<std::size_t>(symbolic_->solve_size()));
   work_.single_scratch.reserve(sweep_work_size(*symbolic_, kSingleOverrun));
   float* x = work_.single_in_order.data();
@@ -121,10 +124,10 @@ Eigen::VectorXd Cholesky::precondition(const Eigen::VectorXd& right_hand_side) {
     for (Eigen::Index i = 0; i < 2; ++i)
       x[k + i] = static_cast<float>(right_hand_side[node + i] / scale);
   });
-  if (precision_ == Precision::full)
-    triangular_solve_single(*symbolic_, single_->data(), x, work_.single_scratch.data());
-  else
+  if (precision_ == Precision::single)
     triangular_solve_half(*symbolic_, *half_, x, work_.single_scratch.data());
+  else
+    triangular_solve_single(*symbolic_, single_->data(), x, work_.single_scratch.data());
   Eigen::VectorXd solution(right_hand_side.size());
   for_pairs([&](Eigen::Index k, Eigen::Index node) {
     for (Eigen::Index i = 0; i < 2; ++i) solution[node + i] = scale * x[k + i];

@@ -9,15 +9,17 @@
 #include <vector>
 
 #include "core/linear/buffer.h"
-#include "core/linear/half_precision_solve.h"
+#include "core/linear/half_factor.h"
 #include "core/linear/sparse_symmetric.h"
 #include "core/linear/symbolic_factor.h"
 
 namespace foldless {
 
-/// How exact a factor is. One in single precision is half the work and half the memory, and
-/// preconditions; where this processor does not solve with one, full precision takes its place.
-enum class Precision { full, single };
+/// How exact a factor is. In full precision it is made and kept in doubles. The others
+/// precondition: one that is *rounded* is made in doubles and kept in single precision, one in
+/// *single* precision is made in that, half the work, and kept in half, a quarter of the memory.
+/// Where this processor does not solve with those, full precision takes their place.
+enum class Precision { full, rounded, single };
 
 /// Sparse Cholesky factorization LLᵀ of a symmetric matrix. The symbolic part is kept while the
 /// pattern stands. A copy has the factor too; both share it until one factorizes anew.
@@ -45,8 +47,8 @@ class Cholesky {
   /// Solves with the factor. Precondition: has_factor(), in full precision.
   Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side);
   /// The same to about five digits where the factor is well conditioned, in single precision, or to
-  /// three from one that was made in single precision, which is kept in half: so little has the
-  /// memory to bring on processors that have the instructions for it. Precondition: has_factor().
+  /// three from one that is kept in half: so little has the memory to bring. Precondition:
+  /// has_factor().
   Eigen::VectorXd precondition(const Eigen::VectorXd& right_hand_side);
 
  private:
@@ -56,7 +58,7 @@ class Cholesky {
     Work(const Work&) {}
     Work& operator=(const Work&) { return *this; }
 
-    Buffer<std::byte> updates;
+    Buffer<std::byte> fronts;
     Eigen::VectorXd in_order, scratch;
     Buffer<float> single_in_order, single_scratch;
   };
@@ -65,17 +67,19 @@ class Cholesky {
   /// that of the matrix.
   template <class Visit>
   void for_pairs(const Visit& visit) const;
-  /// Room for the factor in single precision.
+  /// What factorize() of multifrontal.h returns, in precision_.
+  int factorized_columns(const SparseSymmetric& matrix, double shift);
+  /// Room for a factor in single precision.
   float* new_single();
-  /// Makes the copy that preconditions, where it is not made yet.
+  /// Makes the copy of a factor in doubles that preconditions, where it is not made yet.
   void copy_factor();
 
   double ordered_work_ = 0;  ///< by the last ordering that was made anew
   std::shared_ptr<const SymbolicFactor> symbolic_;
-  std::shared_ptr<Buffer<double>> values_;
-  std::shared_ptr<Buffer<float>> single_;  ///< the factor itself, or the copy of one in doubles
-  std::shared_ptr<HalfFactor> half_;       ///< the copy of a factor in single precision
-  bool has_copy_ = false;                  ///< of the factor there is, in less precision
+  std::shared_ptr<Buffer<double>> values_;  ///< the factor in full precision
+  std::shared_ptr<Buffer<float>> single_;   ///< its copy that preconditions, or a rounded one
+  bool has_copy_ = false;                   ///< of the factor there is
+  std::shared_ptr<HalfFactor> half_;        ///< the factor that was made in single precision
   Precision precision_ = Precision::full;
   Work work_;
   std::stop_token token_;

@@ -156,7 +156,7 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
                                               Cholesky& factor,
                                               const ConjugateGradientSettings& settings) {
   const bool is_single =
-      settings.least_gain >= kLeastGainOfSinglePrecision || factor.precision() == Precision::single;
+      settings.least_gain >= kLeastGainOfSinglePrecision || factor.precision() != Precision::full;
   const Preconditioner precondition = [&](const Eigen::VectorXd& r) {
     return is_single ? factor.precondition(r) : factor.solve(r);
   };

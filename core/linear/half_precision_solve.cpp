@@ -20,66 +20,7 @@ namespace {
 
 #define FOLDLESS_F16C __attribute__((target("avx2,fma,f16c"))) inline
 
-constexpr int kStripRows = 8;
 static_assert(kStripRows <= kSingleOverrun, "rows of the last strip that are not there");
-constexpr int kColumnsTogether = 4;
-/// What is larger was rounded to infinity.
-constexpr float kLargestHalf = 65504;
-
-std::size_t index_of(int i) { return static_cast<std::size_t>(i); }
-
-/// How many columns from this one on go together.
-int columns_from(const Supernode& s, int column) {
-  return std::min(kColumnsTogether, s.columns - column);
-}
-
-/// Values of the strips of so many columns with so many rows below them.
-std::size_t strips_of(int columns, int below) {
-  return index_of(columns) * index_of((below + kStripRows - 1) / kStripRows * kStripRows);
-}
-
-/// The values of all strips of a supernode.
-std::size_t strips_of(const Supernode& s) {
-  std::size_t size = 0;
-  for (int j = 0; j < s.columns; j += kColumnsTogether) {
-    const int columns = columns_from(s, j);
-    size += strips_of(columns, s.rows() - j - columns);
-  }
-  return size;
-}
-
-/// Eight values of a column of L, of which `count` are there, over its diagonal.
-FOLDLESS_F16C __m128i rounded(const float* value, int count, float inverse_diagonal) {
-  alignas(32) float some[kStripRows] = {};
-  if (count < kStripRows) value = std::copy_n(value, count, some) - count;
-  const __m256 scaled = _mm256_mul_ps(_mm256_loadu_ps(value), _mm256_set1_ps(inverse_diagonal));
-  const __m256 largest = _mm256_set1_ps(kLargestHalf);
-  const __m256 kept =
-      _mm256_max_ps(_mm256_min_ps(scaled, largest), _mm256_sub_ps(_mm256_setzero_ps(), largest));
-  return _mm256_cvtps_ph(kept, _MM_FROUND_TO_NEAREST_INT);
-}
-
-/// `panel` is in single precision, with the inverse of L on the diagonal.
-FOLDLESS_F16C void round_supernode(const Supernode& s, const float* panel, std::uint16_t* strip,
-                                   float* head) {
-  const int rows = s.rows();
-  for (int j = 0; j < s.columns; j += kColumnsTogether) {
-    const int columns = columns_from(s, j);
-    const float* column = panel + static_cast<std::ptrdiff_t>(j) * rows;
-    for (int c = 0; c < columns; ++c, head += kColumnsTogether) {
-      const float* own = column + static_cast<std::ptrdiff_t>(c) * rows + j + c;
-      std::fill_n(head, kColumnsTogether, 0.0F);
-      head[0] = *own * *own;
-      for (int d = 1; c + d < columns; ++d) head[d] = own[d] * *own;
-    }
-    for (int i = j + columns; i < rows; i += kStripRows)
-      for (int c = 0; c < columns; ++c, strip += kStripRows) {
-        const float* of = column + static_cast<std::ptrdiff_t>(c) * rows;
-        _mm_storeu_si128(reinterpret_cast<__m128i*>(strip),
-                         rounded(of + i, std::min(kStripRows, rows - i), of[j + c]));
-      }
-  }
-}
 
 FOLDLESS_F16C __m256 load_strip(const std::uint16_t* strip) {
   return _mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(strip)));
@@ -88,14 +29,14 @@ FOLDLESS_F16C __m256 load_strip(const std::uint16_t* strip) {
 /// The columns' own unknowns are solved for.
 template <int Columns>
 FOLDLESS_F16C void forward_head(const float* head, float* own) {
-  for (int c = 0; c < Columns; ++c, head += kColumnsTogether)
+  for (int c = 0; c < Columns; ++c, head += kStripColumns)
     for (int d = 1; c + d < Columns; ++d) own[c + d] -= head[d] * own[c];
 }
 
 template <int Columns>
 FOLDLESS_F16C void backward_head(const float* head, float* own) {
   for (int c = Columns - 1; c >= 0; --c)
-    for (int d = 1; c + d < Columns; ++d) own[c] -= head[c * kColumnsTogether + d] * own[c + d];
+    for (int d = 1; c + d < Columns; ++d) own[c] -= head[c * kStripColumns + d] * own[c + d];
 }
 
 /// What the columns add to eight rows is taken off.
@@ -177,7 +118,7 @@ FOLDLESS_F16C void forward_narrow(const HalfSupernode& of, float* all) {
   for (int left = of.s.below / 2; left > 0;
        left -= kStripRows / 2, node += kStripRows / 2, strip += Columns * kStripRows)
     store_nodes(without_columns(load_nodes(all, node, left), strip, x), all, node, left);
-  for (int c = 0; c < Columns; ++c) own[c] *= of.head[c * kColumnsTogether];
+  for (int c = 0; c < Columns; ++c) own[c] *= of.head[c * kStripColumns];
 }
 
 template <int Columns>
@@ -200,19 +141,19 @@ FOLDLESS_F16C void forward_half(const HalfSupernode& of, float* x, float* work) 
   if (s.columns == 2) return forward_narrow<2>(of, x);
   if (s.columns == 4) return forward_narrow<4>(of, x);
   std::copy_n(x + s.first, s.columns, work);
-  std::fill_n(work + s.columns, index_of(s.below) + kStripRows, 0.0F);
+  std::fill_n(work + s.columns, static_cast<std::size_t>(s.below) + kStripRows, 0.0F);
   const std::uint16_t* strip = of.strip;
-  for (int j = 0; j < s.columns; j += kColumnsTogether) {
-    const int columns = columns_from(s, j), below = s.rows() - j - columns;
-    const float* head = of.head + static_cast<std::ptrdiff_t>(j) * kColumnsTogether;
-    if (columns == kColumnsTogether)
+  for (int j = 0; j < s.columns; j += kStripColumns) {
+    const int columns = strip_columns(s, j), below = s.rows() - j - columns;
+    const float* head = of.head + static_cast<std::ptrdiff_t>(j) * kStripColumns;
+    if (columns == kStripColumns)
       forward_group<4>(strip, head, work + j, below);
     else
       forward_group<2>(strip, head, work + j, below);
-    strip += strips_of(columns, below);
+    strip += strip_values(columns, below);
   }
   for (int c = 0; c < s.columns; ++c)
-    x[s.first + c] = work[c] * of.head[static_cast<std::ptrdiff_t>(c) * kColumnsTogether];
+    x[s.first + c] = work[c] * of.head[static_cast<std::ptrdiff_t>(c) * kStripColumns];
   const float* from = work + s.columns;
   for (int i = 0; i < s.below / 2; ++i, from += 2) {
     float* to = x + 2 * static_cast<std::ptrdiff_t>(of.node[i]);
@@ -232,12 +173,11 @@ FOLDLESS_F16C void backward_half(const HalfSupernode& of, const std::uint16_t* e
   const int* node = of.node;
   for (int i = 0; i < s.below; i += kStripRows, node += kStripRows / 2)
     _mm256_storeu_ps(work + s.columns + i, load_nodes(x, node, (s.below - i) / 2));
-  for (int j = (s.columns - 1) / kColumnsTogether * kColumnsTogether; j >= 0;
-       j -= kColumnsTogether) {
-    const int columns = columns_from(s, j), below = s.rows() - j - columns;
-    end -= strips_of(columns, below);
-    const float* head = of.head + static_cast<std::ptrdiff_t>(j) * kColumnsTogether;
-    if (columns == kColumnsTogether)
+  for (int j = (s.columns - 1) / kStripColumns * kStripColumns; j >= 0; j -= kStripColumns) {
+    const int columns = strip_columns(s, j), below = s.rows() - j - columns;
+    end -= strip_values(columns, below);
+    const float* head = of.head + static_cast<std::ptrdiff_t>(j) * kStripColumns;
+    if (columns == kStripColumns)
       backward_group<4>(end, head, work + j, below);
     else
       backward_group<2>(end, head, work + j, below);
@@ -249,31 +189,15 @@ FOLDLESS_F16C void backward_half(const HalfSupernode& of, const std::uint16_t* e
 
 }  // namespace
 
-void to_half_precision(const SymbolicFactor& factor, const float* single, HalfFactor& half) {
-  half.start.assign(1, 0);
-  for (const Supernode& s : factor.supernodes)
-    half.start.push_back(half.start.back() + strips_of(s));
-  half.strips.reserve(half.start.back());
-  half.heads.reserve(kColumnsTogether * index_of(factor.size()));
-  constexpr std::ptrdiff_t kSupernodesTogether = 500;
-  each_in_ranges(static_cast<std::ptrdiff_t>(factor.supernodes.size()), kSupernodesTogether,
-                 [&](std::ptrdiff_t k) {
-                   const Supernode& s = factor.supernodes[static_cast<std::size_t>(k)];
-                   round_supernode(s, single + s.value_start,
-                                   half.strips.data() + half.start[static_cast<std::size_t>(k)],
-                                   half.heads.data() + kColumnsTogether * index_of(s.first));
-                 });
-}
-
 void triangular_solve_half(const SymbolicFactor& factor, const HalfFactor& half, float* x,
                            float* work) {
   const std::uint16_t* strips = half.strips.data();
   const auto start_of = [&](const Supernode& s) {
-    return half.start.data() + (&s - factor.supernodes.data());
+    return half.start.data() + number_in(factor, s);
   };
   const auto parts_of = [&](const Supernode& s) {
     return HalfSupernode{s, factor.solve_rows.data() + s.row_start, strips + *start_of(s),
-                         half.heads.data() + kColumnsTogether * index_of(s.first)};
+                         half.heads.data() + kStripColumns * static_cast<std::size_t>(s.first)};
   };
   const auto forward = [&](const Supernode& s, float* of, float* scratch) {
     forward_half(parts_of(s), of, scratch);
@@ -286,7 +210,6 @@ void triangular_solve_half(const SymbolicFactor& factor, const HalfFactor& half,
 
 #else
 
-void to_half_precision(const SymbolicFactor&, const float*, HalfFactor&) {}
 void triangular_solve_half(const SymbolicFactor&, const HalfFactor&, float*, float*) {}
 
 #endif

@@ -2,12 +2,14 @@
 #include "core/linear/multifrontal.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
-#include <type_traits>
 #include <vector>
 
 #include "core/linear/dense_cholesky.h"
 #include "core/linear/dense_kernels.h"
+#include "core/linear/front_panels.h"
+#include "core/linear/single_precision_solve.h"
 #include "core/threads/team.h"
 
 namespace foldless {
@@ -32,30 +34,31 @@ struct NodesOfFront {
   int begin, end;
 };
 
-/// Where update matrices are.
+/// Where a front works.
 template <class Value>
-struct UpdatePlaces {
-  Value* own;          ///< `update_start` of a supernode counts from here,
-  Value* of_children;  ///< and that of its children from here
+struct Workplace {
+  Value* updates;              ///< `update_start` of a supernode counts from here,
+  Value* updates_of_children;  ///< and that of its children from here
+  Value* panel;                ///< room for it, where it does not stay
 };
 
-/// Room for the update matrices of one subtree for each thread, so that it is used again while it
-/// is in the thread's cache.
+/// Room for the update matrices of one subtree and for a panel for each thread, so that it is used
+/// again while it is in the thread's cache.
 template <class Value>
-class SubtreeStacks {
+class SubtreeRooms {
  public:
-  SubtreeStacks(Value* room, std::size_t size, int count) {
+  SubtreeRooms(Value* room, std::size_t size, int count) {
     for (int i = count - 1; i >= 0; --i) free_.push_back(room + static_cast<std::size_t>(i) * size);
   }
   Value* take() {
     const std::scoped_lock lock(guard_);
-    Value* stack = free_.back();
+    Value* room = free_.back();
     free_.pop_back();
-    return stack;
+    return room;
   }
-  void give_back(Value* stack) {
+  void give_back(Value* room) {
     const std::scoped_lock lock(guard_);
-    free_.push_back(stack);
+    free_.push_back(room);
   }
 
  private:
@@ -64,7 +67,7 @@ class SubtreeStacks {
 };
 
 /// As many as subtrees can be worked on at once.
-int stacks_of_subtrees(const SymbolicFactor& factor) {
+int rooms_of_subtrees(const SymbolicFactor& factor) {
   const int threads = present_team() ? present_team()->size() : 1;
   return std::min(threads, static_cast<int>(factor.subtrees.size()));
 }
@@ -72,72 +75,86 @@ int stacks_of_subtrees(const SymbolicFactor& factor) {
 /// Columns of a square that are worth handing out together: some tens of thousands of values.
 int columns_together(int rows) { return 2 * std::max(8, 16384 / std::max(rows, 1)); }
 
-/// The solves in single precision go through a panel by whole registers, beyond the diagonal.
-template <class Value>
-constexpr bool kIsClearedAboveTheDiagonal = std::is_same_v<Value, float>;
-
-template <class Value>
+template <class Panels>
 class Multifrontal {
  public:
+  using Value = typename Panels::Value;
+
+  // NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
   Multifrontal(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-               Value* values, Value* updates, const std::stop_token& token)
+               const Panels& panels, Buffer<std::byte>& room, const std::stop_token& token)
       : factor_(factor),
         matrix_(matrix),
         shift_(shift),
-        values_(values),
-        updates_(updates),
-        stacks_(updates + factor.updates, factor.subtree_updates, stacks_of_subtrees(factor)),
-        token_(token) {}
+        panels_(panels),
+        updates_(values_in(room, factor, panels)),
+        panel_(updates_ + factor.updates),
+        rooms_(panel_ + panels.room(), room_of_subtree(factor, panels), rooms_of_subtrees(factor)),
+        token_(token),
+        first_failure_(factor.size()) {}
 
   int run() {
     const std::vector<Subtree>& subtrees = factor_.subtrees;
-    std::vector<int> found(subtrees.size());
-    in_parallel(static_cast<int>(subtrees.size()), [&](int i) {
-      const auto task = static_cast<std::size_t>(i);
-      found[task] = run_subtree(subtrees[task]);
-    });
-    int first = factor_.size();
-    for (const int column : found) first = std::min(first, column);
+    in_parallel(static_cast<int>(subtrees.size()),
+                [&](int i) { ends_at(run_subtree(subtrees[static_cast<std::size_t>(i)])); });
+    int first = first_failure_;
     for (std::size_t i = 0; i < factor_.top.size() && first == factor_.size(); ++i)
-      first = eliminate(static_cast<std::size_t>(factor_.top[i]), {updates_, updates_});
+      first = eliminate(static_cast<std::size_t>(factor_.top[i]), {updates_, updates_, panel_});
     return first;
   }
 
  private:
+  static std::size_t room_of_subtree(const SymbolicFactor& factor, const Panels& panels) {
+    return panels.room() + factor.subtree_updates;
+  }
+
+  static Value* values_in(Buffer<std::byte>& room, const SymbolicFactor& factor,
+                          const Panels& panels) {
+    const auto subtrees = static_cast<std::size_t>(rooms_of_subtrees(factor));
+    room.reserve(sizeof(Value) *
+                 (factor.updates + panels.room() + subtrees * room_of_subtree(factor, panels)));
+    return reinterpret_cast<Value*>(room.data());
+  }
+
   /// The number of columns, or the first whose pivot is not positive.
   int run_subtree(const Subtree& subtree) {
-    Value* stack = stacks_.take();
+    Value* panel = rooms_.take();
+    Value* stack = panel + panels_.room();
     int found = factor_.size();
     for (int k = subtree.first; k < subtree.root && found == factor_.size(); ++k)
-      found = eliminate(static_cast<std::size_t>(k), {stack, stack});
+      found = eliminate(static_cast<std::size_t>(k), {stack, stack, panel});
     if (found == factor_.size())
-      found = eliminate(static_cast<std::size_t>(subtree.root), {updates_, stack});
-    stacks_.give_back(stack);
+      found = eliminate(static_cast<std::size_t>(subtree.root), {updates_, stack, panel});
+    rooms_.give_back(panel);
     return found;
   }
 
+  /// Says where a subtree ended: where it failed, those that have later columns need not go on.
+  void ends_at(int column) {
+    int first = first_failure_.load(std::memory_order_relaxed);
+    while (column < first &&
+           !first_failure_.compare_exchange_weak(first, column, std::memory_order_relaxed)) {
+    }
+  }
+
   /// The same, of one supernode.
-  int eliminate(std::size_t k, const UpdatePlaces<Value>& updates) const {
+  int eliminate(std::size_t k, const Workplace<Value>& at) const {
     const Supernode& s = factor_.supernodes[k];
-    if (token_.stop_requested()) return s.first;
-    const Front<Value> front = front_of(s, updates.own);
+    if (token_.stop_requested() || s.first >= first_failure_.load(std::memory_order_relaxed))
+      return s.first;
+    const Front<Value> front = {
+        {panels_.place(s, at.panel), s.rows(), s.columns}, at.updates + s.update_start, s.below};
     const DenseKernels<Value>& kernels = dense_kernels<Value>();
     clear(front.panel);
     add_matrix(k, front.panel);
-    if (s.child >= 0) add_updates(s, front, updates.of_children);
+    if (s.child >= 0) add_updates(s, front, at.updates_of_children);
     const int found = factorize_panel(front.panel, kernels);
     if (found < s.columns) return s.first + found;
     if (s.below > 0)
       subtract_square(front.panel, front.update,
                       s.child >= 0 ? Square::accumulate : Square::from_zero, kernels);
-    if constexpr (kIsClearedAboveTheDiagonal<Value>)
-      for (std::ptrdiff_t j = 1; j < s.columns; ++j)
-        std::fill_n(front.panel.value + j * s.rows(), j, Value{0});
+    panels_.keep(s, front.panel.value);
     return factor_.size();
-  }
-
-  Front<Value> front_of(const Supernode& s, Value* updates) const {
-    return {{values_ + s.value_start, s.rows(), s.columns}, updates + s.update_start, s.below};
   }
 
   static void clear(const DensePanel<Value>& panel) {
@@ -217,27 +234,42 @@ class Multifrontal {
   const SymbolicFactor& factor_;
   const SparseSymmetric& matrix_;
   double shift_;
-  Value* values_;
+  const Panels& panels_;
   Value* updates_;
-  SubtreeStacks<Value> stacks_;
+  Value* panel_;  ///< room for those above the subtrees
+  SubtreeRooms<Value> rooms_;
   const std::stop_token& token_;
+  std::atomic<int> first_failure_;
 };
 
 }  // namespace
 
-template <class Value>
 // NOLINTNEXTLINE(readability-function-size): what is factorized, and where to
 int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
-              Value* values, Buffer<std::byte>& updates, const std::stop_token& token) {
-  const auto stacks = static_cast<std::size_t>(stacks_of_subtrees(factor));
-  updates.reserve((factor.updates + stacks * factor.subtree_updates) * sizeof(Value));
-  auto* room = reinterpret_cast<Value*>(updates.data());
-  return Multifrontal<Value>(factor, matrix, shift, values, room, token).run();
+              double* values, Buffer<std::byte>& room, const std::stop_token& token) {
+  const KeptPanels panels(values);
+  return Multifrontal(factor, matrix, shift, panels, room, token).run();
 }
 
-template int factorize(const SymbolicFactor&, const SparseSymmetric&, double, double*,
-                       Buffer<std::byte>&, const std::stop_token&);
-template int factorize(const SymbolicFactor&, const SparseSymmetric&, double, float*,
-                       Buffer<std::byte>&, const std::stop_token&);
+// NOLINTNEXTLINE(readability-function-size): the same
+int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
+              float* single, Buffer<std::byte>& room, const std::stop_token& token) {
+  const auto keep = [&](const Supernode& s, const double* panel) {
+    to_single_precision(s, panel, single + s.value_start);
+  };
+  const RoundedPanels<double, decltype(keep)> panels(factor, keep);
+  return Multifrontal(factor, matrix, shift, panels, room, token).run();
+}
+
+// NOLINTNEXTLINE(readability-function-size): the same
+int factorize(const SymbolicFactor& factor, const SparseSymmetric& matrix, double shift,
+              HalfFactor& half, Buffer<std::byte>& room, const std::stop_token& token) {
+  make_room(factor, half);
+  const auto keep = [&](const Supernode& s, const float* panel) {
+    round_panel(factor, s, panel, half);
+  };
+  const RoundedPanels<float, decltype(keep)> panels(factor, keep);
+  return Multifrontal(factor, matrix, shift, panels, room, token).run();
+}
 
 }  // namespace foldless

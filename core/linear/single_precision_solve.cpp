@@ -14,21 +14,23 @@
 
 namespace foldless {
 
+void to_single_precision(const Supernode& s, const double* panel, float* single) {
+  constexpr std::ptrdiff_t kValuesTogether = 65'536;
+  each_in_ranges(s.columns, 1 + kValuesTogether / s.rows(), [&](std::ptrdiff_t j) {
+    const double* from = panel + j * s.rows();
+    float* to = single + j * s.rows();
+    std::fill_n(to, j, 0.0F);
+    for (std::ptrdiff_t i = j; i < s.rows(); ++i) to[i] = static_cast<float>(from[i]);
+  });
+}
+
 void to_single_precision(const SymbolicFactor& factor, const double* values, float* single) {
-  const auto convert = [&](const Supernode& s) {
-    const double* from = values + s.value_start;
-    float* to = single + s.value_start;
-    for (int j = 0; j < s.columns; ++j, from += s.rows(), to += s.rows()) {
-      std::fill_n(to, j, 0.0F);
-      for (int i = j; i < s.rows(); ++i) to[i] = static_cast<float>(from[i]);
-    }
-  };
   constexpr std::ptrdiff_t kSupernodesTogether = 500;
-  in_ranges(static_cast<std::ptrdiff_t>(factor.supernodes.size()), kSupernodesTogether,
-            [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-              for (std::ptrdiff_t k = begin; k < end; ++k)
-                convert(factor.supernodes[static_cast<std::size_t>(k)]);
-            });
+  each_in_ranges(static_cast<std::ptrdiff_t>(factor.supernodes.size()), kSupernodesTogether,
+                 [&](std::ptrdiff_t k) {
+                   const Supernode& s = factor.supernodes[static_cast<std::size_t>(k)];
+                   to_single_precision(s, values + s.value_start, single + s.value_start);
+                 });
 }
 
 #ifdef __x86_64__

@@ -11,6 +11,8 @@ bool solves_in_single_precision();
 /// The values that factorize() in multifrontal.h makes, in single precision, zero above the
 /// diagonal. `single` has room for factor.values.
 void to_single_precision(const SymbolicFactor& factor, const double* values, float* single);
+/// The same of one panel, shared by the team of this thread where it is large.
+void to_single_precision(const Supernode& s, const double* panel, float* single);
 /// So many values behind those of the factor are read and not used: they are to be finite.
 constexpr int kSingleOverrun = 8;
 

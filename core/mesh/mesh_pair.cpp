@@ -33,9 +33,10 @@ MeshPair::MeshPair(const Triangles& triangles, Points rest, Points deformed)
   touch();
 }
 
-void MeshPair::set_deformed(Points deformed) {
+Points MeshPair::exchange_deformed(Points deformed) {
   assert(deformed.cols() == rest_.cols());
-  deformed_ = std::move(deformed);
+  deformed_.swap(deformed);
+  return deformed;
 }
 
 void MeshPair::set_positions(Points rest, Points deformed) {

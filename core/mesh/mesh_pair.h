@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/copy_on_write.h"
@@ -43,7 +44,9 @@ class MeshPair {
   const Points& rest() const { return rest_; }
   const Points& deformed() const { return deformed_; }
   /// Replaces the positions of M′, 2 × #V.
-  void set_deformed(Points deformed);
+  void set_deformed(Points deformed) { exchange_deformed(std::move(deformed)); }
+  /// The same; returns those that it had.
+  Points exchange_deformed(Points deformed);
   /// The same pair in another frame: replaces both arrays, 2 × #V; connectivity and revision stay.
   void set_positions(Points rest, Points deformed);
   /// Moves one vertex in both meshes.

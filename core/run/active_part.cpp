@@ -24,6 +24,16 @@ std::vector<bool> active_vertices(const Triangles& triangles, int vertices,
   return is_active;
 }
 
+/// D of those that are active, or of all that are in a triangle where none is.
+double diagonal_of(const Triangles& triangles, const Points& rest, std::vector<bool> is_active) {
+  if (std::ranges::none_of(is_active, std::identity()))
+    for (const int v : triangles.reshaped()) is_active[at(v)] = true;
+  std::vector<int> vertices;
+  for (int v = 0; v < static_cast<int>(rest.cols()); ++v)
+    if (is_active[at(v)]) vertices.push_back(v);
+  return bounding_box_diagonal(rest(Eigen::all, vertices));
+}
+
 /// Where elements are in the whole.
 struct Places {
   std::vector<int> of_part;
@@ -63,16 +73,16 @@ OriginalMesh original_of_part(const OriginalMesh& original, const std::vector<in
 }  // namespace
 
 ActivePart::ActivePart(const MeshPair& whole, const std::vector<Handle>& handles)
-    : triangles_(whole.triangles()),
-      rest_(whole.rest()),
-      deformed_(whole.deformed()),
-      is_active_vertex_(active_vertices(whole.triangles(), whole.vertex_count(), handles)) {
+    : is_active_vertex_(active_vertices(whole.triangles(), whole.vertex_count(), handles)),
+      is_whole_(std::ranges::all_of(is_active_vertex_, std::identity())),
+      diagonal_(diagonal_of(whole.triangles(), whole.rest(), is_active_vertex_)),
+      faces_of_part_(whole.face_count()) {
+  if (is_whole_) return;
+  triangles_ = whole.triangles();
+  rest_ = whole.rest();
+  deformed_ = whole.deformed();
   for (const auto& t : triangles_.colwise()) is_active_face_.push_back(is_active_vertex_[at(t[0])]);
   faces_of_part_ = static_cast<int>(std::ranges::count(is_active_face_, true));
-}
-
-bool ActivePart::is_whole() const {
-  return std::ranges::all_of(is_active_vertex_, std::identity());
 }
 
 Problem ActivePart::of(const Problem& problem) const {
@@ -127,14 +137,8 @@ Points ActivePart::whole_points(Points part, const Points& then) const {
 
 double active_diagonal(const Triangles& triangles, const Points& rest,
                        const std::vector<Handle>& handles) {
-  const int count = static_cast<int>(rest.cols());
-  std::vector<bool> is_active = active_vertices(triangles, count, handles);
-  if (std::ranges::none_of(is_active, std::identity()))
-    for (const int v : triangles.reshaped()) is_active[at(v)] = true;
-  std::vector<int> vertices;
-  for (int v = 0; v < count; ++v)
-    if (is_active[at(v)]) vertices.push_back(v);
-  return bounding_box_diagonal(rest(Eigen::all, vertices));
+  return diagonal_of(triangles, rest,
+                     active_vertices(triangles, static_cast<int>(rest.cols()), handles));
 }
 
 }  // namespace foldless

@@ -19,7 +19,9 @@ class ActivePart {
 
   bool is_empty() const { return faces_of_part_ == 0; }
   /// Nothing is idle: the part is the whole, whatever a method adds to it.
-  bool is_whole() const;
+  bool is_whole() const { return is_whole_; }
+  /// D: see active_diagonal().
+  double diagonal() const { return diagonal_; }
   /// The problem on the part alone. Precondition: `problem` has the mesh and the handles that the
   /// part was made of.
   Problem of(const Problem& problem) const;
@@ -34,11 +36,14 @@ class ActivePart {
  private:
   Points whole_points(Points part, const Points& then) const;
 
-  Triangles triangles_;  ///< of the whole that the part was made of
-  Points rest_, deformed_;
   std::vector<bool> is_active_vertex_;
-  std::vector<bool> is_active_face_;
+  bool is_whole_;
+  double diagonal_;
   int faces_of_part_ = 0;
+  // Of the whole that the part was made of, where that is more than the part:
+  std::vector<bool> is_active_face_;
+  Triangles triangles_;
+  Points rest_, deformed_;
 };
 
 /// D: the diagonal of the rest bounding box of the part that handles can move, the unit of every

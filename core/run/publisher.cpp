@@ -11,13 +11,23 @@
 namespace foldless {
 namespace {
 
-/// The report on M′ of a mesh that a run may begin with.
-InjectivityReport expect_injective(const MeshPair& mesh) {
-  const InjectivityChecker checker(mesh.triangles(), mesh.vertex_count());
-  InjectivityReport report = checker.check(mesh.deformed());
-  if (!checker.is_injective_inside(mesh.rest()) || !report.is_injective_inside())
+/// Reports on both meshes of one connectivity.
+struct Proof {
+  explicit Proof(const MeshPair& mesh)
+      : checker(mesh.triangles(), mesh.vertex_count()),
+        rest(checker.check(mesh.rest())),
+        deformed(checker.check(mesh.deformed())) {}
+
+  InjectivityChecker checker;
+  InjectivityReport rest, deformed;
+};
+
+/// That of a mesh that a run may begin with.
+Proof expect_injective(const MeshPair& mesh) {
+  Proof proof(mesh);
+  if (!proof.rest.is_injective_inside() || !proof.deformed.is_injective_inside())
     throw Error("the mesh to start from is folded; reset its pose");
-  return report;
+  return proof;
 }
 
 std::vector<int> merged(const std::vector<int>& a, const std::vector<int>& b) {
@@ -37,23 +47,28 @@ Normalisation frame_of(const MeshPair& part, const InjectivityChecker& checker) 
 }  // namespace
 
 // What is idle is proved with the whole and stays as it is: from there on the part is looked at.
-Publisher::Publisher(const Problem& problem, std::uint64_t generation)
+Publisher::Publisher(const Problem& problem, ActivePart part, std::uint64_t generation)
     : original_edges_(*problem.original->triangles, problem.original->vertices),
-      part_(problem.mesh, problem.handles),
+      part_(std::move(part)),
       checker_({}, 0) {
-  const InjectivityReport whole = expect_injective(problem.mesh);
+  Proof proof = expect_injective(problem.mesh);
+  const std::size_t overlaps_of_whole = proof.deformed.overlapping_boundary_vertices.size();
+  MeshPair cut;
+  if (!part_.is_whole()) {
+    cut = part_.of(problem).mesh;
+    proof = Proof(cut);
+  }
+  const MeshPair& mesh = part_.is_whole() ? problem.mesh : cut;
+  checker_ = std::move(proof.checker);
+  const std::vector<int>& overlaps = proof.deformed.overlapping_boundary_vertices;
+  idle_overlaps_ = static_cast<int>(overlaps_of_whole - overlaps.size());
+  overlaps_of_beginning_ = merged(overlaps, proof.rest.overlapping_boundary_vertices);
   common_.generation = generation;
   common_.original_vertices = problem.original->vertices;
-  const MeshPair part = part_.of(problem).mesh;
-  common_.revision = part.revision();
-  const InjectivityReport at_rest = adopt_connectivity(part.triangles(), part.rest());
-  const InjectivityReport deformed = checker_.check(part.deformed());
-  const std::vector<int>& overlaps = deformed.overlapping_boundary_vertices;
-  idle_overlaps_ = static_cast<int>(whole.overlapping_boundary_vertices.size() - overlaps.size());
-  overlaps_of_beginning_ = merged(overlaps, at_rest.overlapping_boundary_vertices);
-  does_rest_overlap_ = false;
-  if (!is_idle()) normalisation_ = frame_of(part, checker_);
-  first_ = snapshot_of(part.deformed(), deformed, {});
+  common_.revision = mesh.revision();
+  share(mesh.triangles(), mesh.rest());
+  if (!is_idle()) normalisation_ = frame_of(mesh, checker_);
+  first_ = snapshot_of(mesh.deformed(), proof.deformed, {});
 }
 
 Problem Publisher::part_of(const Problem& problem) const {
@@ -82,17 +97,20 @@ std::shared_ptr<Snapshot> Publisher::publish(const MeshPair& mesh, const Licence
   return snapshot_of(std::move(deformed), report, licence);
 }
 
-InjectivityReport Publisher::adopt_connectivity(const Triangles& triangles, const Points& rest) {
+void Publisher::adopt_connectivity(const Triangles& triangles, const Points& rest) {
   checker_ = InjectivityChecker(triangles, static_cast<int>(rest.cols()));
-  InjectivityReport report = checker_.check(rest);
+  const InjectivityReport report = checker_.check(rest);
   is_rest_folded_ = !report.is_injective_inside();
   does_rest_overlap_ = has_new_overlaps(report);
+  share(triangles, rest);
+}
+
+void Publisher::share(const Triangles& triangles, const Points& rest) {
   common_.triangles = std::make_shared<const Triangles>(
       part_.whole_triangles(triangles, static_cast<int>(rest.cols())));
   common_.rest = std::make_shared<const Points>(part_.whole_rest(rest));
   common_.flipped_edges =
       std::make_shared<const std::vector<Edge>>(original_edges_.flipped_in(*common_.triangles));
-  return report;
 }
 
 bool Publisher::has_new_overlaps(const InjectivityReport& report) const {

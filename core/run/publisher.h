@@ -27,9 +27,10 @@ struct Licence {
 /// is wrong with it.
 class Publisher {
  public:
-  /// `problem` has its original mesh. Throws Error when its mesh is not locally injective, but for
-  /// boundary vertices: another method may have left them.
-  Publisher(const Problem& problem, std::uint64_t generation);
+  /// `problem` has its original mesh, and `part` is what its handles can move. Throws Error when
+  /// its mesh is not locally injective, but for boundary vertices: another method may have left
+  /// them.
+  Publisher(const Problem& problem, ActivePart part, std::uint64_t generation);
 
   /// True when no handle can move anything.
   bool is_idle() const { return part_.is_empty(); }
@@ -46,8 +47,10 @@ class Publisher {
   std::shared_ptr<Snapshot> publish(const MeshPair& mesh, const Licence& licence);
 
  private:
-  /// The report on the rest mesh.
-  InjectivityReport adopt_connectivity(const Triangles& triangles, const Points& rest);
+  /// Looks at another connectivity from now on.
+  void adopt_connectivity(const Triangles& triangles, const Points& rest);
+  /// What snapshots have in common.
+  void share(const Triangles& triangles, const Points& rest);
   bool has_new_overlaps(const InjectivityReport& report) const;
   std::shared_ptr<Snapshot> snapshot_of(Points deformed, const InjectivityReport& report,
                                         const Licence& licence) const;

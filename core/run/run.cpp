@@ -48,16 +48,19 @@ Iteration in_input_units(Iteration iteration, const Normalisation& normalisation
 }
 
 Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& starter)
+    : Run(problem, generation, starter, ActivePart(problem.mesh, problem.handles)) {}
+
+Run::Run(const Problem& problem, std::uint64_t generation, const MethodStarter& starter,
+         ActivePart part)
     : start_method_(starter),
       energy_(problem.energy),
       parameters_(problem.parameters),
       stiffness_(problem.mesh.stiffness()),
       original_(original_of(problem)),
-      goal_(problem.handles, *original_.triangles, problem.mesh.rest(),
-            active_diagonal(problem.mesh.triangles(), problem.mesh.rest(), problem.handles)) {
+      goal_(problem.handles, *original_.triangles, problem.mesh.rest(), part.diagonal()) {
   Problem begun = with_followers(problem);
   begun.original = original_;
-  publisher_.emplace(begun, generation);
+  publisher_.emplace(begun, std::move(part), generation);
   snapshot_ = valid_ = with_handles(*publisher_->first());
   if (!publisher_->is_idle()) method_ = start_method_(publisher_->part_of(begun));
 }
@@ -95,7 +98,7 @@ void Run::set_targets(const Points& targets, const std::vector<double>& angles) 
     return;
   }
   const Problem problem = with_followers(resumed());
-  publisher_.emplace(problem, valid_->generation);
+  publisher_.emplace(problem, ActivePart(problem.mesh, problem.handles), valid_->generation);
   method_ = start_method_(publisher_->part_of(problem));
 }
 

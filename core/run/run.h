@@ -64,6 +64,10 @@ class Run {
   StageTimes times() const { return method_ ? method_->times() : StageTimes(); }
 
  private:
+  /// `part`: of the problem; its handles move nothing else, nor do their followers.
+  Run(const Problem& problem, std::uint64_t generation, const MethodStarter& starter,
+      ActivePart part);
+
   std::shared_ptr<const Snapshot> with_handles(const Snapshot& snapshot) const;
   Problem with_followers(Problem problem) const;
 

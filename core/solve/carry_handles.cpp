@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/linear/shared_vectors.h"
 #include "core/solve/descent.h"
 #include "core/solve/line_search.h"
 #include "core/solve/newton_step.h"
@@ -24,7 +25,7 @@ Points way_of_handles(const MeshPair& mesh, const Constraints& constraints) {
 
 /// u + t·step; at t = 1 the handles are where they should be to the last bit.
 Points moved(const Points& before, const Constraints& constraints, const Points& step, double t) {
-  Points u = before + t * step;
+  Points u = sum_with_multiple(before, t, step);
   if (t < 1) return u;
   for (int i = 0; i < constraints.count(); ++i)
     if (constraints.is_eliminated(i))
@@ -32,17 +33,20 @@ Points moved(const Points& before, const Constraints& constraints, const Points&
   return u;
 }
 
-/// Returns t.
-double move_along_the_step(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
-                           const Points& step) {
+struct Move {
+  double t;
+  Points before;  ///< where the vertices were
+};
+
+Move move_along_the_step(NewtonSystem& system, MeshPair& mesh, const Energy& energy,
+                         const Points& step) {
   const auto& [settings, constraints] = energy;
   StageTimer timer(system.effort().times.line_search);
   const double t_max = system.objective().largest_step(settings, mesh.deformed(), step);
   const double t = std::min(1.0, kFirstTrial * t_max);
   Points u = moved(mesh.deformed(), constraints, step, t);
-  if (!system.objective().is_feasible(settings, mesh.deformed(), u)) return 0;
-  mesh.set_deformed(std::move(u));
-  return t;
+  if (!system.objective().is_feasible(settings, mesh.deformed(), u)) return {0, mesh.deformed()};
+  return {t, mesh.exchange_deformed(std::move(u))};
 }
 
 }  // namespace
@@ -72,14 +76,15 @@ Carry carry_as_far_as_possible(NewtonSystem& system, MeshPair& mesh, const Energ
     lagged = LaggedStep{carrying_step(system, settings, mesh.deformed(), way)};
   }
   Points& step = lagged->step;
-  Points before = mesh.deformed();
-  update.step_length = move_along_the_step(system, mesh, energy, step);
-  update.step_infinity_norm = (mesh.deformed() - before).cwiseAbs().maxCoeff();
+  Move move = move_along_the_step(system, mesh, energy, step);
+  update.step_length = move.t;
+  update.step_infinity_norm = largest_difference(mesh.deformed(), move.before);
   system.factor().outdate();
   ++system.effort().updates;
   if (update.step_length < 1) {
-    Points end = moved(before, constraints, step, 1);
-    carry.stopped.emplace(StoppedCarry{energy, std::move(before), std::move(step), std::move(end)});
+    Points end = moved(move.before, constraints, step, 1);
+    carry.stopped.emplace(
+        StoppedCarry{energy, std::move(move.before), std::move(step), std::move(end)});
   }
   return carry;
 }

@@ -36,14 +36,16 @@ std::optional<LaggedStep> rough_clamped_step(
     NewtonSystem& system, const std::stop_token& token,
     const std::function<std::optional<LaggedStep>()>& lagged) {
   HessianFactor& factor = system.factor();
-  if (!factor.is_single_worth_while(system.hessian())) return std::nullopt;
   factor.obey(token);
   analyze(system);
-  if (token.stop_requested()) return std::nullopt;
-  std::optional<LaggedStep> step;
-  if (factorize(system, 0, Precision::single)) step = lagged();
-  if (step && !step->is_indefinite) return step;
-  if (!token.stop_requested()) factor.set_single_too_rough();
+  while (!token.stop_requested()) {
+    const Precision precision = factor.for_iterations(system.hessian());
+    if (precision == Precision::full) break;
+    std::optional<LaggedStep> step;
+    if (factorize(system, 0, precision)) step = lagged();
+    if (step && !step->is_indefinite) return step;
+    if (!token.stop_requested()) factor.set_too_rough();
+  }
   return std::nullopt;
 }
 
@@ -104,12 +106,14 @@ std::optional<Points> Descent::step_if_definite(NewtonSystem& system,
       return std::move(lagged->step);
     }
   if (token.stop_requested()) return std::nullopt;
-  if (use_ == FactorUse::lagged && system.factor().is_single_worth_while(system.hessian())) {
-    if (!factorize(system, 0, Precision::single)) return std::nullopt;
+  while (use_ == FactorUse::lagged) {
+    const Precision precision = system.factor().for_iterations(system.hessian());
+    if (precision == Precision::full) break;
+    if (!factorize(system, 0, precision)) return std::nullopt;
     if (std::optional<LaggedStep> rough = lagged_newton_step(system))
       return rough->is_indefinite ? std::nullopt : std::optional(std::move(rough->step));
     if (token.stop_requested()) return std::nullopt;
-    system.factor().set_single_too_rough();
+    system.factor().set_too_rough();
   }
   if (!factorize(system, 0)) return std::nullopt;
   return newton_step(system);

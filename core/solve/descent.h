@@ -44,8 +44,8 @@ class Descent {
   double last_shift_ = 0;      ///< that the clamped ∇²E needed
 };
 
-/// A step of ∇²E as last assembled with clamped elements, from its factor in single precision, with
-/// which `lagged` makes it; nothing where that is not worth while, or was found too rough, or when
+/// A step of ∇²E as last assembled with clamped elements, from the roughest factor that does, with
+/// which `lagged` makes it; nothing where none is worth while, or all were found too rough, or when
 /// cancelled. Counts H.
 std::optional<LaggedStep> rough_clamped_step(
     NewtonSystem& system, const std::stop_token& token,

@@ -12,8 +12,8 @@
 namespace foldless {
 namespace {
 
-/// Unknowns from which on half the memory is worth the second iteration.
-constexpr int kSingleFrom = 4000;
+/// Unknowns from which on less memory is worth more iterations.
+constexpr int kRoughFrom = 4000;
 
 /// An iteration costs a tenth of a factorization or less.
 constexpr int kMostLaggedIterations = 8;
@@ -82,9 +82,13 @@ void HessianFactor::analyze(const SparseSymmetric& matrix) {
   is_analyzed_ = true;
 }
 
-bool HessianFactor::is_single_worth_while(const Hessian& hessian) const {
-  return solves_in_single_precision() && !is_single_too_rough_ &&
-         hessian.matrix.size() >= kSingleFrom;
+Precision HessianFactor::for_iterations(const Hessian& hessian) const {
+  const bool is_large = hessian.matrix.size() >= kRoughFrom;
+  return solves_in_single_precision() && is_large ? roughest_ : Precision::full;
+}
+
+void HessianFactor::set_too_rough() {
+  roughest_ = roughest_ == Precision::single ? Precision::rounded : Precision::full;
 }
 
 bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision precision) {

@@ -50,11 +50,11 @@ class HessianFactor {
   void analyze(const SparseSymmetric& matrix);
   /// What may stop factorizations and iterations from now on.
   void obey(const std::stop_token& token) { cholesky_.obey(token); }
-  /// Whether a factor in single precision is worth while that iterations begin from.
-  bool is_single_worth_while(const Hessian& hessian) const;
-  /// Says that single precision did not do for a Hessian that is positive definite: where triangles
-  /// are nearly crushed their stiffness drowns the rest, and goes on to.
-  void set_single_too_rough() { is_single_too_rough_ = true; }
+  /// How exact a factor is to be that iterations begin from: the roughest that is worth while.
+  Precision for_iterations(const Hessian& hessian) const;
+  /// Says that one of for_iterations() did not do for a Hessian that is positive definite: where
+  /// triangles are nearly crushed their stiffness drowns the rest, and goes on to.
+  void set_too_rough();
   /// False when the Hessian + μI is not positive definite, or where it was stopped. Precondition:
   /// it is analysed.
   bool factorize(const Hessian& hessian, double mu, Precision precision);
@@ -100,9 +100,9 @@ class HessianFactor {
   ConjugateGradientRoom room_;
   bool is_of_mesh_ = false;  ///< the factor, by its vertices
   bool is_analyzed_ = false;
-  bool is_own_ = false;   ///< of ∇²E itself, in any precision
-  bool is_near_ = false;  ///< to ∇²E, as far as is known
-  bool is_single_too_rough_ = false;
+  bool is_own_ = false;                     ///< of ∇²E itself, in any precision
+  bool is_near_ = false;                    ///< to ∇²E, as far as is known
+  Precision roughest_ = Precision::single;  ///< that did
 };
 
 }  // namespace foldless

@@ -22,14 +22,14 @@ Points newton_step(NewtonSystem& system);
 Points carrying_step(NewtonSystem& system, const EnergySettings& settings, const Points& u,
                      const Points& way);
 
-/// A step from the factor of an earlier ∇²E, or from one in single precision.
+/// A step from the factor of an earlier ∇²E, or from one that is not in full precision.
 struct LaggedStep {
   Points step;                 ///< displacements of the vertices, 2 × #V
   bool is_indefinite = false;  ///< no step: ∇²E turned out not to be positive definite
 };
 
 /// newton_step() by conjugate gradients from the factor that there is, where that is near enough:
-/// in single precision, or of an earlier ∇²E of the same energy but for α and the conformal weight,
+/// in less precision, or of an earlier ∇²E of the same energy but for α and the conformal weight,
 /// with the same handles held.
 std::optional<LaggedStep> lagged_newton_step(NewtonSystem& system);
 /// carrying_step() in that way.

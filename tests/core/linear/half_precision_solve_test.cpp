@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <set>
 #include <utility>
@@ -12,11 +14,13 @@
 
 #include "core/linear/cholesky.h"
 #include "core/linear/elimination_tree.h"
+#include "core/linear/half_factor.h"
 #include "core/linear/multifrontal.h"
 #include "core/linear/ordering.h"
 #include "core/linear/single_precision_solve.h"
 #include "core/linear/sweep.h"
 #include "core/linear/symbolic_analysis.h"
+#include "core/threads/team.h"
 #include "tests/core/linear/elastic_grid.h"
 #include "tests/support/dense_matrix.h"
 #include "tests/support/random_symmetric.h"
@@ -34,14 +38,12 @@ class HalfPrecisionSolve : public testing::Test {
   }
 };
 
-/// A factor that was made in single precision, and what half precision makes of it.
+/// A factor that was made in single precision and rounded.
 struct Rounded {
   explicit Rounded(const SparseSymmetric& m)
       : symbolic(symbolic_factor(elimination_tree(m, fill_reducing_ordering(m)), 0)) {
-    Buffer<std::byte> updates;
-    single.reserve(symbolic.values);
-    is_definite = factorize(symbolic, m, 0, single.data(), updates) == m.size();
-    if (is_definite) to_half_precision(symbolic, single.data(), half);
+    Buffer<std::byte> room;
+    is_definite = factorize(symbolic, m, 0, half, room) == m.size();
   }
 
   /// What the work space holds must not matter.
@@ -59,7 +61,6 @@ struct Rounded {
   }
 
   SymbolicFactor symbolic;
-  Buffer<float> single;
   HalfFactor half;
   bool is_definite = false;
 };
@@ -95,6 +96,71 @@ TEST_F(HalfPrecisionSolve, SolvesFrontsOfManyColumns) {
   EXPECT_GT(rounded.symbolic.largest_front, 60);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1, 2);
   EXPECT_LT(backward_error(m, rounded.solve(b), b), kElevenDigits);
+}
+
+/// The inverses of D and the L beside them, which are not rounded to half precision, and what the
+/// factor in doubles has there.
+struct Heads {
+  std::vector<float> half;
+  std::vector<double> full;
+};
+
+Heads heads(const SymbolicFactor& symbolic, const HalfFactor& half, const double* values) {
+  Heads all;
+  for (const Supernode& s : symbolic.supernodes)
+    for (int j = 0; j < s.columns; ++j) {
+      const double* own = values + s.value_start +
+                          static_cast<std::size_t>(j) * static_cast<std::size_t>(s.rows() + 1);
+      const float* head = half.heads.data() + 4 * static_cast<std::size_t>(s.first + j);
+      const int end = std::min(4 - j % 4, s.columns - j);
+      for (int d = 0; d < end; ++d) {
+        all.half.push_back(head[d]);
+        all.full.push_back(own[d] * own[0]);
+      }
+    }
+  return all;
+}
+
+TEST_F(HalfPrecisionSolve, IsRoundedFromSinglePrecisionTheSameWayByAnyNumberOfThreads) {
+  Team team(3);
+  for (unsigned seed = 1; seed <= kHalfSeeds; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const SparseSymmetric m = test::dominated(test::random_symmetric(seed), seed);
+    const Rounded rounded(m);
+    Buffer<std::byte> room;
+    std::vector<double> values(rounded.symbolic.values);
+    ASSERT_EQ(factorize(rounded.symbolic, m, 0, values.data(), room), m.size());
+    const Heads all = heads(rounded.symbolic, rounded.half, values.data());
+    for (std::size_t i = 0; i < all.half.size(); ++i)
+      ASSERT_NEAR(all.half[i], all.full[i], 1e-4 * (1 + std::abs(all.full[i])));
+    const WithTeam with(&team);
+    const Rounded shared(m);
+    ASSERT_TRUE(shared.is_definite);
+    EXPECT_EQ(heads(shared.symbolic, shared.half, values.data()).half, all.half);
+    EXPECT_TRUE(std::equal(shared.half.strips.data(),
+                           shared.half.strips.data() + shared.half.start.back(),
+                           rounded.half.strips.data()));
+  }
+}
+
+TEST_F(HalfPrecisionSolve, ALargePanelIsRoundedByAllThreads) {
+  SymbolicFactor one;
+  one.supernodes.push_back({.first = 0, .columns = 402, .below = 200});
+  one.order.resize(201);
+  const Supernode& s = one.supernodes.front();
+  const Eigen::MatrixXf panel = Eigen::MatrixXf::Random(s.rows(), s.columns);
+  HalfFactor alone, shared;
+  make_room(one, alone);
+  make_room(one, shared);
+  std::fill_n(shared.strips.data(), shared.start.back(), std::uint16_t{1});
+  round_panel(one, s, panel.data(), alone);
+  Team team(3);
+  const WithTeam with(&team);
+  round_panel(one, s, panel.data(), shared);
+  EXPECT_TRUE(std::equal(alone.strips.data(), alone.strips.data() + alone.start.back(),
+                         shared.strips.data()));
+  EXPECT_TRUE(
+      std::equal(alone.heads.data(), alone.heads.data() + 4 * s.columns, shared.heads.data()));
 }
 
 /// S A S, where the stiffest unknown is 10^(4 exponent) times as stiff as the softest, and S.

@@ -19,6 +19,8 @@ TEST(SharedVectors, AreThoseOfTheLinearAlgebra) {
     Eigen::VectorXd sum = b;
     add_multiple(-0.3, a, sum);
     EXPECT_EQ(sum, Eigen::VectorXd(b - 0.3 * a));
+    EXPECT_EQ(sum_with_multiple(b, -0.3, a), sum);
+    EXPECT_EQ(largest_difference(a, b), size == 0 ? 0 : (a - b).lpNorm<Eigen::Infinity>());
     EXPECT_EQ(largest_magnitude(a), a.lpNorm<Eigen::Infinity>());
     EXPECT_EQ(largest_magnitude(-a), a.lpNorm<Eigen::Infinity>());
   }
@@ -29,14 +31,22 @@ TEST(SharedVectors, HaveTheSameBitsWithAnyNumberOfThreads) {
     SCOPED_TRACE(size);
     const Eigen::VectorXd a = test::random_values(size, 3), b = test::random_values(size, 4);
     Eigen::VectorXd alone = b, shared = b;
-    const double dot = shared_dot(a, b);
+    const double dot = shared_dot(a, b), difference = largest_difference(a, b);
     add_multiple(7, a, alone);
     Team team(3);
     const WithTeam with(&team);
     EXPECT_EQ(shared_dot(a, b), dot);
     add_multiple(7, a, shared);
     EXPECT_EQ(shared, alone);
+    EXPECT_EQ(sum_with_multiple(b, 7, a), alone);
+    EXPECT_EQ(largest_difference(a, b), difference);
   }
+}
+
+TEST(SharedVectors, AreOfAnyShape) {
+  const Eigen::MatrixXd a = Eigen::MatrixXd::Random(2, 5000), b = Eigen::MatrixXd::Random(2, 5000);
+  EXPECT_EQ(sum_with_multiple(a, 0.5, b), Eigen::MatrixXd(a + 0.5 * b));
+  EXPECT_EQ(largest_difference(a, b), (a - b).cwiseAbs().maxCoeff());
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "core/linear/sweep.h"
 #include "core/linear/symbolic_analysis.h"
 #include "core/linear/triangular_solve.h"
+#include "core/threads/team.h"
 #include "tests/support/random_symmetric.h"
 
 namespace foldless {
@@ -46,6 +47,20 @@ TEST(SinglePrecisionSolve, IsThatOfDoublePrecisionButForRounding) {
   }
 }
 
+TEST(SinglePrecisionSolve, ALargePanelIsRoundedByAllThreads) {
+  const Supernode s{.first = 0, .columns = 402, .below = 200};
+  const Eigen::MatrixXd panel = Eigen::MatrixXd::Random(s.rows(), s.columns);
+  Eigen::MatrixXf expected = panel.cast<float>(), alone = expected, shared = expected;
+  for (int j = 0; j < s.columns; ++j) expected.col(j).head(j).setZero();
+  shared.setOnes();
+  to_single_precision(s, panel.data(), alone.data());
+  Team team(3);
+  const WithTeam with(&team);
+  to_single_precision(s, panel.data(), shared.data());
+  EXPECT_EQ(alone, expected);
+  EXPECT_EQ(shared, expected);
+}
+
 TEST(SinglePrecisionSolve, PreconditionsLargeAndSmallRightHandSidesAlike) {
   const SparseSymmetric m = test::dominated(test::random_symmetric(7), 7);
   Cholesky cholesky;
@@ -74,6 +89,10 @@ TEST(SinglePrecisionSolve, PreconditionsWithTheLatestFactor) {
     ASSERT_TRUE(copy.factorize(m, 7, Precision::single));
     EXPECT_LT((cholesky.precondition(b) - x).norm(), 1e-5 * x.norm()) << "it was its own";
     EXPECT_GT((copy.precondition(b) - x).norm(), 1e-2 * x.norm());
+    ASSERT_TRUE(copy.factorize(m, 7, Precision::rounded));
+    EXPECT_LT((cholesky.precondition(b) - x).norm(), 1e-5 * x.norm()) << "it was its own";
+    ASSERT_TRUE(copy.factorize(m, shift, Precision::rounded));
+    EXPECT_EQ(copy.precondition(b), cholesky.precondition(b)) << "both are rounded from doubles";
     ASSERT_TRUE(copy.factorize(m, shift, Precision::single));
     EXPECT_LT((copy.precondition(b) - x).norm(), 1e-4 * x.norm());
     const Cholesky second = copy;

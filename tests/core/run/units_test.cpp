@@ -94,7 +94,8 @@ TEST(Place, OfAMeshAtRestIsToldToTheMethod) {
     problem.mesh.set_deformed(problem.mesh.rest());
     problem.original = OriginalMesh{std::make_shared<const Triangles>(problem.mesh.triangles()),
                                     problem.mesh.vertex_count()};
-    const Problem part = Publisher(problem, 1).part_of(problem);
+    const Problem part =
+        Publisher(problem, ActivePart(problem.mesh, problem.handles), 1).part_of(problem);
     EXPECT_NE(part.mesh.rest(), part.mesh.deformed()) << "the claim would be empty";
     EXPECT_EQ(part.at_rest(), part.mesh.deformed());
   }
