@@ -18,6 +18,7 @@
 #include "core/linear/symbolic_analysis.h"
 #include "core/linear/triangular_solve.h"
 #include "core/threads/team.h"
+#include "tests/core/linear/elastic_grid.h"
 #include "tests/support/dense_matrix.h"
 #include "tests/support/random_symmetric.h"
 #include "tests/support/square_pattern.h"
@@ -177,6 +178,20 @@ TEST(Multifrontal, OfSeveralSubtreesThatFailTheFirstCounts) {
     EXPECT_EQ(factorize(factor, m, 0, values.data(), room), found);
   }
   EXPECT_GT(parted, static_cast<int>(kSeeds) / 2);
+}
+
+TEST(Multifrontal, SubtreesBeforeOneThatFailsGoOn) {
+  SparseSymmetric m = test::elastic_grid(80);
+  const SymbolicFactor factor = symbolic_factor(elimination_tree(m, fill_reducing_ordering(m)), 0);
+  ASSERT_GT(factor.subtrees.size(), 3U);
+  const int column = factor.supernodes[static_cast<std::size_t>(factor.subtrees[2].first)].first;
+  diagonal(m, 2 * factor.order[static_cast<std::size_t>(column / 2)]) = -1;
+  std::vector<double> values(factor.values);
+  Buffer<std::byte> room;
+  Team team(3);
+  const WithTeam with(&team);
+  for (int time = 0; time < 10; ++time)  // the first two may be done already
+    EXPECT_EQ(factorize(factor, m, 0, values.data(), room), column);
 }
 
 TEST(Multifrontal, SubtreesGiveTheSameBitsToAnyNumberOfThreads) {
