@@ -38,11 +38,17 @@ __attribute__((target("avx2,fma,f16c"))) inline __m128i rounded(const float* val
   return _mm256_cvtps_ph(kept, _MM_FROUND_TO_NEAREST_INT);
 }
 
+/// Where columns that go together are kept.
+struct StripPlace {
+  std::uint16_t* strip;
+  float* head;
+};
+
 /// Columns from j on that go together, of a panel with the inverse of L on the diagonal.
 __attribute__((target("avx2,fma,f16c"))) inline void round_columns(const Supernode& s, int j,
                                                                    const float* panel,
-                                                                   std::uint16_t* strip,
-                                                                   float* head) {
+                                                                   const StripPlace& to) {
+  auto [strip, head] = to;
   const int rows = s.rows(), columns = strip_columns(s, j);
   const float* column = panel + static_cast<std::ptrdiff_t>(j) * rows;
   for (int c = 0; c < columns; ++c, head += kStripColumns) {
@@ -78,7 +84,7 @@ void round_panel(const SymbolicFactor& factor, const Supernode& s, const float* 
     std::uint16_t* strip = strips + strips_before(s, kStripColumns * static_cast<int>(begin));
     for (std::ptrdiff_t group = begin; group < end; ++group) {
       const int j = kStripColumns * static_cast<int>(group), columns = strip_columns(s, j);
-      round_columns(s, j, panel, strip, heads + static_cast<std::ptrdiff_t>(j) * kStripColumns);
+      round_columns(s, j, panel, {strip, heads + static_cast<std::ptrdiff_t>(j) * kStripColumns});
       strip += strip_values(columns, s.rows() - j - columns);
     }
   };
