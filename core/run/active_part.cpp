@@ -75,7 +75,8 @@ OriginalMesh original_of_part(const OriginalMesh& original, const std::vector<in
 ActivePart::ActivePart(const MeshPair& whole, const std::vector<Handle>& handles)
     : is_active_vertex_(active_vertices(whole.triangles(), whole.vertex_count(), handles)),
       is_whole_(std::ranges::all_of(is_active_vertex_, std::identity())),
-      diagonal_(diagonal_of(whole.triangles(), whole.rest(), is_active_vertex_)),
+      diagonal_(is_whole_ ? bounding_box_diagonal(whole.rest())
+                          : diagonal_of(whole.triangles(), whole.rest(), is_active_vertex_)),
       faces_of_part_(whole.face_count()) {
   if (is_whole_) return;
   triangles_ = whole.triangles();

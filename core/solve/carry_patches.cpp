@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/linear/shared_vectors.h"
 #include "core/mesh/patches.h"
 #include "core/solve/line_search.h"
 #include "core/solve/patch_energy.h"
@@ -115,7 +116,7 @@ VertexUpdate carry_handles_and_patches(NewtonSystem& system, MeshPair& mesh, con
   if (std::optional<Points> u = carry_patches(system, mesh, *stopped, token)) {
     mesh.set_deformed(std::move(*u));
     update.step_length = 1;
-    update.step_infinity_norm = (mesh.deformed() - stopped->before).cwiseAbs().maxCoeff();
+    update.step_infinity_norm = largest_difference(mesh.deformed(), stopped->before);
   }
   return update;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solve/update_vertices.h"
 
+#include "core/linear/shared_vectors.h"
 #include "core/solve/line_search.h"
 #include "core/solve/newton_step.h"
 
@@ -35,7 +36,7 @@ VertexUpdate move_along(const Points& step, NewtonSystem& system, MeshPair& mesh
                                        {mesh.deformed(), step, system.energy().total(), slope});
   if (found.step_length == 0) return update;
   update.step_length = found.step_length;
-  update.step_infinity_norm = (found.u - mesh.deformed()).cwiseAbs().maxCoeff();
+  update.step_infinity_norm = largest_difference(found.u, mesh.deformed());
   mesh.set_deformed(std::move(found.u));
   system.factor().outdate();
   ++system.effort().updates;
