@@ -33,6 +33,16 @@ void for_few(std::ptrdiff_t first, std::ptrdiff_t last, const Visit& visit) {
     visit(begin, std::min(begin + kTrianglesAtATime, last));
 }
 
+/// Of a few triangles. Sums over all of them are sums of these, whoever takes them.
+inline ElementEnergy sum_of_few(std::span<const ElementEnergy> few) {
+  ElementEnergy sum;
+  for (const auto& [distortion, barrier] : few) {
+    sum.distortion += distortion;
+    sum.barrier += barrier;
+  }
+  return sum;
+}
+
 /// Triangles begin ≤ t < end, and what they give. They add it to the vertices, or columns, that
 /// owns(v) says.
 struct FewElements {
@@ -40,8 +50,8 @@ struct FewElements {
   const Triangles& triangles;
   std::ptrdiff_t begin, end;
 
-  std::span<const ElementEnergy> energies() const {
-    return std::span(room.energies).first(static_cast<std::size_t>(end - begin));
+  ElementEnergy energy() const {
+    return sum_of_few(std::span(room.energies).first(static_cast<std::size_t>(end - begin)));
   }
 
   template <class Owns>

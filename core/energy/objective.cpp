@@ -8,6 +8,7 @@
 #include "core/energy/node_blocks.h"
 #include "core/energy/quadratic.h"
 #include "core/large_pages.h"
+#include "core/threads/zeros.h"
 
 namespace foldless {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Fewer triangles are not worth sharing.
 constexpr Eigen::Index kSharedFrom = 2048;
-constexpr int kFewestRanges = 16, kRangesOfAThread = 4;
+constexpr int kFewestRanges = 8, kRangesOfAThread = 4;
 
 /// Whether c + b t + a t² is positive for all 0 ≤ t ≤ bound, told without a root; where that is
 /// close, or the bound infinite, it may be so all the same.
@@ -115,7 +116,7 @@ EnergyTerms Objective::value(const Energy& energy, const Points& u) const {
 }
 
 EnergyGradient Objective::gradient(const Energy& energy, const Points& u) const {
-  EnergyGradient sum{{}, Eigen::VectorXd::Zero(u.size())};
+  EnergyGradient sum{{}, zeros<Eigen::VectorXd>(u.size())};
   if (is_in_ranges())
     sum_ranges(batch_of(energy, u), sum);
   else if (is_shared())
@@ -129,7 +130,7 @@ EnergyGradient Objective::gradient(const Energy& energy, const Points& u) const 
 
 EnergyGradient Objective::assemble(const Energy& energy, const Points& u, SparseSymmetric& hessian,
                                    double clamping) const {
-  EnergyGradient sum{{}, Eigen::VectorXd::Zero(u.size())};
+  EnergyGradient sum{{}, zeros<Eigen::VectorXd>(u.size())};
   const ElementBatch batch = batch_of(energy, u, clamping);
   if (is_in_ranges())
     sum_ranges(batch, energy.constraints, sum, hessian);
@@ -157,7 +158,7 @@ void Objective::add_columns(const BlocksOf<double>& blocks, const Corner& of,
 
 Eigen::VectorXd Objective::pull_of_handles(const EnergySettings& settings, const Points& u,
                                            const Points& way) const {
-  Eigen::VectorXd pull = Eigen::VectorXd::Zero(u.size());
+  Eigen::VectorXd pull = zeros<Eigen::VectorXd>(u.size());
   for (const int t : triangles_of_handles_) {
     const auto& corners = triangles_.col(t);
     const Corners moves = corners_of(way, corners);

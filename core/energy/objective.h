@@ -29,14 +29,9 @@ struct EnergyTerms {
   double penalty = 0;     ///< α E_c
   double barrier = 0;     ///< β E_b and that of the gaps, infinite outside the feasible set
   double total() const { return distortion + penalty + barrier; }
-  void add(std::span<const ElementEnergy> elements) {
-    double of_distortion = distortion, of_barrier = barrier;  // in registers meanwhile
-    for (const ElementEnergy& element : elements) {
-      of_distortion += element.distortion;
-      of_barrier += element.barrier;
-    }
-    distortion = of_distortion;
-    barrier = of_barrier;
+  void add(const ElementEnergy& elements) {
+    distortion += elements.distortion;
+    barrier += elements.barrier;
   }
 };
 
@@ -140,6 +135,8 @@ class Objective {
   void sum_ranges(const ElementBatch& batch, const Constraints& constraints, EnergyGradient& sum,
                   SparseSymmetric& hessian) const;
   SparseSymmetric ranged_pattern() const;
+  /// Adds up what all triangles have, by threads. Of every few the first has their sum then.
+  void add_energies(ElementEnergy* energies, EnergyTerms& sum) const;
   void add_gaps(const EnergySettings& settings, const Points& u, EnergyGradient& sum) const;
   void add_gaps(const Energy& energy, const Points& u, SparseSymmetric& hessian) const;
   void add_pull_of_gaps(const EnergySettings& settings, const Points& u, const Points& way,

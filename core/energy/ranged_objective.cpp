@@ -82,7 +82,7 @@ void Objective::sum_ranges(const ElementBatch& batch, EnergyGradient& sum) const
       few.add_gradients(owns, sum.gradient);
     });
   });
-  sum.energy.add({energies, rest_.size()});
+  add_energies(energies, sum.energy);
 }
 
 void Objective::sum_ranges(const ElementBatch& batch, const Constraints& constraints,
@@ -103,7 +103,7 @@ void Objective::sum_ranges(const ElementBatch& batch, const Constraints& constra
           owns, [&](int v) { return node_of(v, constraints); }, hessian);
     });
   });
-  sum.energy.add({energies, rest_.size()});
+  add_energies(energies, sum.energy);
 }
 
 SparseSymmetric Objective::ranged_pattern() const {

@@ -33,7 +33,7 @@ double least_of_triangles(std::ptrdiff_t count, const Bound& bound) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::atomic<double> least = kInfinity;
   in_ranges(count, kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    double own = kInfinity;
+    double own = least.load(std::memory_order_relaxed);
     for (std::ptrdiff_t t = begin; t < end; ++t) own = std::min(own, bound(t, own));
     double known = least.load(std::memory_order_relaxed);
     while (own < known && !least.compare_exchange_weak(known, own, std::memory_order_relaxed)) {

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/energy/element_sums.h"
 #include "core/threads/unfilled_vector.h"
 
 namespace foldless {
@@ -29,13 +30,24 @@ void clear_columns(SparseSymmetric& matrix, std::ptrdiff_t node) {
 
 }  // namespace
 
+void Objective::add_energies(ElementEnergy* energies, EnergyTerms& sum) const {
+  static_assert(kTrianglesTogether % kTrianglesAtATime == 0);
+  in_ranges(triangles_.cols(), kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    for_few(begin, end, [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+      energies[first] = sum_of_few({energies + first, energies + last});
+    });
+  });
+  for_few(0, triangles_.cols(),
+          [&](std::ptrdiff_t first, std::ptrdiff_t) { sum.add(energies[first]); });
+}
+
 void Objective::sum_shared(const ElementBatch& batch, EnergyTerms& sum) const {
   ElementEnergy* const energies = energies_.of_size(rest_.size());
   const ElementLoops& loops = element_loops(batch.settings.density->kind);
   in_ranges(triangles_.cols(), kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.energies(batch, begin, end, {energies + begin, nullptr, nullptr});
   });
-  sum.add({energies, rest_.size()});
+  add_energies(energies, sum);
 }
 
 void Objective::sum_shared(const ElementBatch& batch, EnergyGradient& sum) const {
@@ -45,7 +57,7 @@ void Objective::sum_shared(const ElementBatch& batch, EnergyGradient& sum) const
   in_ranges(triangles_.cols(), kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.gradients(batch, begin, end, {energies + begin, gradients + begin, nullptr});
   });
-  sum.energy.add({energies, rest_.size()});
+  add_energies(energies, sum.energy);
   for_vertices(corners_.vertices(), [&](std::ptrdiff_t v) {
     for (const auto& [triangle, corner] : corners_.of(v))
       sum.gradient.segment<2>(2 * v) += gradient_of_corner(gradients[triangle], corner);
@@ -61,7 +73,7 @@ void Objective::sum_shared(const ElementBatch& batch, const Constraints& constra
   in_ranges(triangles_.cols(), kTrianglesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.hessians(batch, begin, end, {energies + begin, gradients + begin, hessians + begin});
   });
-  sum.energy.add({energies, rest_.size()});
+  add_energies(energies, sum.energy);
   for_vertices(corners_.vertices(), [&](std::ptrdiff_t v) {
     clear_columns(hessian, v);
     for (const auto& [triangle, corner] : corners_.of(v)) {

@@ -21,7 +21,7 @@ void Objective::sum_elements(const ElementBatch& batch, EnergyTerms& sum) const 
   for_few(0, triangles_.cols(), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     if (std::isinf(sum.barrier)) return;
     loops.energies(batch, begin, end, {energies.data(), nullptr, nullptr});
-    sum.add(std::span(energies).first(static_cast<std::size_t>(end - begin)));
+    sum.add(sum_of_few(std::span(energies).first(static_cast<std::size_t>(end - begin))));
   });
 }
 
@@ -31,7 +31,7 @@ void Objective::sum_elements(const ElementBatch& batch, EnergyGradient& sum) con
   for_few(0, triangles_.cols(), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.gradients(batch, begin, end, room.results());
     const FewElements few{room, triangles_, begin, end};
-    sum.energy.add(few.energies());
+    sum.energy.add(few.energy());
     few.add_gradients(kOwnsAll, sum.gradient);
   });
 }
@@ -44,7 +44,7 @@ void Objective::sum_elements(const ElementBatch& batch, const Constraints& const
   for_few(0, triangles_.cols(), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     loops.hessians(batch, begin, end, room.results());
     const FewElements few{room, triangles_, begin, end};
-    sum.energy.add(few.energies());
+    sum.energy.add(few.energy());
     few.add_gradients(kOwnsAll, sum.gradient);
     few.add_hessians(
         kOwnsAll, [&](int v) { return node_of(v, constraints); }, hessian);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linear/chebyshev.h"
 
+#include <atomic>
 #include <cstddef>
 
 #include "core/threads/team.h"
@@ -23,31 +24,31 @@ constexpr double kKept = kSecondRho * kFirstRho, kAdded = 2 * kSecondRho / kHalf
 
 ChebyshevSmoother::ChebyshevSmoother(const SparseSymmetric& A)
     : matrix_(A), inverses_(static_cast<std::size_t>(A.nodes)) {
-  for (int node = 0; node < A.nodes; ++node) {
-    const BlockPlace place = find_block(A, node, node);
-    const double* first = &A.value[static_cast<std::size_t>(place.first_column)];
+  std::atomic<bool> is_definite = true;
+  each_in_ranges(A.nodes, kSmoothedTogether, [&](std::ptrdiff_t i) {
+    const auto node = static_cast<std::size_t>(i);
+    const double* first = &A.value[static_cast<std::size_t>(A.first_column(node))];
     const double a = first[0], b = first[1],
-                 c = A.value[static_cast<std::size_t>(place.second_column)];
+                 c = A.value[static_cast<std::size_t>(A.second_column(node))];
     const double determinant = a * c - b * b;
-    if (!(a > 0 && determinant > 0)) is_definite_ = false;
-    inverses_[static_cast<std::size_t>(node)] = {c / determinant, -b / determinant,
-                                                 a / determinant};
-  }
+    if (!(a > 0 && determinant > 0)) is_definite.store(false, std::memory_order_relaxed);
+    inverses_[node] = {c / determinant, -b / determinant, a / determinant};
+  });
+  is_definite_ = is_definite;
 }
 
-Eigen::VectorXd ChebyshevSmoother::smoothed(const Eigen::VectorXd& r) const {
-  Eigen::VectorXd step(r.size()), image(r.size());
+void ChebyshevSmoother::smooth(const Eigen::VectorXd& r, Eigen::VectorXd& x,
+                               Eigen::VectorXd& image) const {
+  x.resize(r.size());
   each_in_ranges(matrix_.nodes, kSmoothedTogether, [&](std::ptrdiff_t i) {
-    step.segment<2>(2 * i) =
-        kFirst * (inverses_[static_cast<std::size_t>(i)] * r.segment<2>(2 * i));
+    x.segment<2>(2 * i) = kFirst * (inverses_[static_cast<std::size_t>(i)] * r.segment<2>(2 * i));
   });
-  multiply(matrix_, step, image);
+  multiply(matrix_, x, image);
   each_in_ranges(matrix_.nodes, kSmoothedTogether, [&](std::ptrdiff_t i) {
     const Eigen::Vector2d left = r.segment<2>(2 * i) - image.segment<2>(2 * i);
-    step.segment<2>(2 * i) = (1 + kKept) * step.segment<2>(2 * i) +
-                             kAdded * (inverses_[static_cast<std::size_t>(i)] * left);
+    x.segment<2>(2 * i) = (1 + kKept) * x.segment<2>(2 * i) +
+                          kAdded * (inverses_[static_cast<std::size_t>(i)] * left);
   });
-  return step;
 }
 
 }  // namespace foldless

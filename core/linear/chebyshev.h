@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "core/linear/sparse_symmetric.h"
+#include "core/threads/unfilled_vector.h"
 
 namespace foldless {
 
@@ -19,8 +19,9 @@ class ChebyshevSmoother {
 
   /// False where a block of D is not positive definite, and then A is not; nothing can be smoothed.
   bool is_definite() const { return is_definite_; }
-  /// An approximation of A⁻¹ r that is linear in r and symmetric. Precondition: is_definite().
-  Eigen::VectorXd smoothed(const Eigen::VectorXd& r) const;
+  /// Sets x to an approximation of A⁻¹ r that is linear in r and symmetric; `image` is room.
+  /// Precondition: is_definite().
+  void smooth(const Eigen::VectorXd& r, Eigen::VectorXd& x, Eigen::VectorXd& image) const;
 
  private:
   /// The inverse of a block of D: entries (0,0), (1,0) and (1,1).
@@ -32,7 +33,7 @@ class ChebyshevSmoother {
   };
 
   const SparseSymmetric& matrix_;
-  std::vector<Inverse> inverses_;  ///< of the nodes
+  UnfilledVector<Inverse> inverses_;  ///< of the nodes
   bool is_definite_ = true;
 };
 

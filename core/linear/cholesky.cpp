@@ -2,6 +2,7 @@
 #include "core/linear/cholesky.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "core/linear/elimination_tree.h"
@@ -47,6 +48,20 @@ void Cholesky::analyze(const SparseSymmetric& matrix) {
     ordered_work_ = tree->work();
   }
   symbolic_ = std::make_shared<const SymbolicFactor>(symbolic_factor(std::move(*tree)));
+}
+
+void Cholesky::analyze_in_order(const SparseSymmetric& matrix) {
+  has_factor_ = false;
+  std::vector<int> order(static_cast<std::size_t>(matrix.nodes));
+  std::iota(order.begin(), order.end(), 0);
+  EliminationTree tree = elimination_tree(matrix, order);
+  ordered_work_ = tree.work();
+  symbolic_ = std::make_shared<const SymbolicFactor>(symbolic_factor(std::move(tree)));
+}
+
+void Cholesky::sort_by_elimination(std::vector<int>& nodes) const {
+  const auto place = [&](int node) { return symbolic_->place[static_cast<std::size_t>(node)]; };
+  std::ranges::sort(nodes, {}, place);
 }
 
 bool Cholesky::factorize(const SparseSymmetric& matrix, double shift, Precision precision) {

@@ -28,6 +28,11 @@ class Cholesky {
   /// Symbolic factorization of the pattern. The fill-reducing ordering of the nodes is that of the
   /// pattern before, repaired, where it had as many nodes and that is about as good as a new one.
   void analyze(const SparseSymmetric& matrix);
+  /// The same where the nodes are in an order with little fill already.
+  void analyze_in_order(const SparseSymmetric& matrix);
+  /// Sorts nodes of the pattern by their elimination. Of some of them alone that is an order with
+  /// less fill than the factor has. Precondition: is_analyzed().
+  void sort_by_elimination(std::vector<int>& nodes) const;
   /// What may stop a factorization from now on.
   void obey(std::stop_token token) { token_ = std::move(token); }
   const std::stop_token& token() const { return token_; }

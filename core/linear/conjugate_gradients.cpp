@@ -12,6 +12,7 @@
 #include "core/linear/shared_vectors.h"
 #include "core/threads/team.h"
 #include "core/threads/values_of_ranges.h"
+#include "core/threads/zeros.h"
 
 namespace foldless {
 namespace {
@@ -105,8 +106,8 @@ ConjugateGradientSolution conjugate_gradients(const SparseSymmetric& A, const Ei
   ConjugateGradientRoom own;
   ConjugateGradientRoom& room = settings.room ? *settings.room : own;
   Eigen::VectorXd &residual = room.residual, &direction = room.direction;
-  ConjugateGradientSolution solution{Eigen::VectorXd::Zero(b.size())};
-  residual = b;
+  ConjugateGradientSolution solution{zeros<Eigen::VectorXd>(b.size())};
+  copy(b, residual);
   double decrease = take_best_guess(A, settings.guesses, solution.x, room);
   if (settings.local) decrease += settings.local->correct(solution.x, residual);
   const auto preconditioned_residual = [&] {

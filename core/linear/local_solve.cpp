@@ -59,7 +59,7 @@ LocalSolve::LocalSolve(const SparseSymmetric& A, const std::vector<int>& nodes) 
     const int at = place[static_cast<std::size_t>(column)];
     if (at >= 0 && at <= row) add_block(A_SS, row, at, value);
   }
-  factor_.analyze(A_SS);
+  factor_.analyze_in_order(A_SS);
   factor_.factorize(A_SS);
 }
 

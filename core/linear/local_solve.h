@@ -17,7 +17,7 @@ namespace foldless {
 /// the whole.
 class LocalSolve {
  public:
-  /// `nodes`, which is S, are ascending.
+  /// `nodes`, which is S, are in an order of elimination with little fill.
   LocalSolve(const SparseSymmetric& A, const std::vector<int>& nodes);
 
   /// False where A_SS, and A with it, is not positive definite. What follows needs it to be.

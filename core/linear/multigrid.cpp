@@ -3,14 +3,23 @@
 
 #include <utility>
 
+#include "core/linear/shared_vectors.h"
+
 namespace foldless {
 
 Eigen::VectorXd VCycle::operator()(const Eigen::VectorXd& r) {
-  Eigen::VectorXd x = smoother_.smoothed(r), image(r.size());
-  multiply(matrix_, x, image);
-  coarser_.correct(r - image, x);
-  multiply(matrix_, x, image);
-  x += smoother_.smoothed(r - image);
+  CoarseGrid::Room& room = coarser_.room_of_finer();
+  const auto set_left_of = [&](const Eigen::VectorXd& x) {
+    multiply(matrix_, x, room.image);
+    subtract(r, room.image, room.left);
+  };
+  Eigen::VectorXd x;
+  smoother_.smooth(r, x, room.image);
+  set_left_of(x);
+  coarser_.correct(room.left, x);
+  set_left_of(x);
+  smoother_.smooth(room.left, room.smoothed, room.image);
+  add_multiple(1, room.smoothed, x);
   return x;
 }
 

@@ -48,12 +48,19 @@ class CoarseGrid {
   /// About P C⁻¹ Pᵀ r, added to x, of the finer mesh. Precondition: is_definite().
   void correct(const Eigen::VectorXd& r, Eigen::VectorXd& x);
 
+  /// Vectors that a cycle of the finer mesh works with, which the next one uses again.
+  struct Room {
+    Eigen::VectorXd left, image, smoothed;
+  };
+  Room& room_of_finer() { return room_; }
+
  private:
   Interpolation to_finer_;  ///< P
   Cholesky factor_;         ///< of C, or near it, where there is no cycle
   SparseSymmetric matrix_;  ///< C, where there is a cycle
   std::shared_ptr<CoarseGrid> coarser_;
   std::unique_ptr<VCycle> cycle_;
+  Room room_;
 };
 
 }  // namespace foldless

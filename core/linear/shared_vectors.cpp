@@ -17,6 +17,21 @@ double shared_dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
+void copy(const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  y.resize(x.size());
+  in_ranges(x.size(), kEntriesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    y.segment(begin, end - begin) = x.segment(begin, end - begin);
+  });
+}
+
+void subtract(const Eigen::VectorXd& a, const Eigen::VectorXd& b, Eigen::VectorXd& difference) {
+  difference.resize(a.size());
+  in_ranges(a.size(), kEntriesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    difference.segment(begin, end - begin) =
+        a.segment(begin, end - begin) - b.segment(begin, end - begin);
+  });
+}
+
 void add_multiple(double s, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
   in_ranges(y.size(), kEntriesTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     y.segment(begin, end - begin) += s * x.segment(begin, end - begin);

@@ -16,6 +16,12 @@ constexpr std::ptrdiff_t kEntriesTogether = 4096;
 /// aᵀb, summed by segments, so that it has the same bits however many threads share it.
 double shared_dot(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
+/// y = x.
+void copy(const Eigen::VectorXd& x, Eigen::VectorXd& y);
+
+/// difference = a − b.
+void subtract(const Eigen::VectorXd& a, const Eigen::VectorXd& b, Eigen::VectorXd& difference);
+
 /// y += s x.
 void add_multiple(double s, const Eigen::VectorXd& x, Eigen::VectorXd& y);
 

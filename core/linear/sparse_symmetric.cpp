@@ -36,7 +36,7 @@ void make_graph(SparseSymmetric& m, const std::vector<std::pair<int, int>>& edge
 
 /// The ranges of a product, all in one where one thread will do.
 void make_ranges(SparseSymmetric& m) {
-  constexpr int kSharedFrom = 1024, kRanges = 16, kFewest = 256, kMost = 4096;
+  constexpr int kSharedFrom = 1024, kRanges = 8, kFewest = 256, kMost = 4096;
   m.range = m.nodes;
   if (present_team() && m.nodes >= kSharedFrom)
     m.range = std::clamp(m.nodes / kRanges, kFewest, kMost);

@@ -184,6 +184,7 @@ SymbolicFactor symbolic_factor(EliminationTree tree, double parted_from) {
   builder.find_rows();
   builder.find_places();
   factor.order = std::move(tree.order);
+  factor.place = places_in(factor.order);
   factor.parent = std::move(tree.parent);
   plan_work(factor);
   return factor;

@@ -49,6 +49,7 @@ struct Subtree {
 /// to its parent. The analysis is that of the graph of the nodes, a quarter of the matrix.
 struct SymbolicFactor {
   std::vector<int> order;             ///< the node of each place in the order of elimination
+  std::vector<int> place;             ///< of each node in that order
   std::vector<int> parent;            ///< the elimination tree of the places; −1 at a root
   std::vector<Supernode> supernodes;  ///< children before their parents
   UnfilledVector<int> rows;           ///< places of the nodes below the columns, sorted

@@ -35,6 +35,13 @@ class CopyOnWrite {
       *this = CopyOnWrite(Value(**this));
     return shared_->value;
   }
+  /// Puts another in its place: what refers to it goes on to, unless another copy has it.
+  void set(Value value) {
+    if (!shared_ || shared_->users.load(std::memory_order_acquire) > 1)
+      *this = CopyOnWrite(std::move(value));
+    else
+      shared_->value = std::move(value);
+  }
 
  private:
   struct Shared {

@@ -24,30 +24,38 @@ std::uint64_t next_revision() {
 }  // namespace
 
 MeshPair::MeshPair(const Triangles& triangles, const Points& rest)
-    : MeshPair(triangles, rest, rest) {}
-
-MeshPair::MeshPair(const Triangles& triangles, Points rest, Points deformed)
-    : triangles_(triangles), rest_(std::move(rest)), deformed_(std::move(deformed)) {
-  assert(rest_.cols() == deformed_.cols());
-  connect(connectivity_.own(), triangles_, vertex_count());
+    : triangles_(triangles), rest_(rest), deformed_(rest_) {
+  connect(connectivity_.own(), triangles, vertex_count());
   touch();
 }
 
+MeshPair::MeshPair(const Triangles& triangles, Points rest, Points deformed)
+    : triangles_(triangles), rest_(std::move(rest)), deformed_(std::move(deformed)) {
+  assert(rest_->cols() == deformed_->cols());
+  connect(connectivity_.own(), triangles, vertex_count());
+  touch();
+}
+
+void MeshPair::set_deformed(Points deformed) {
+  assert(deformed.cols() == rest_->cols());
+  deformed_.set(std::move(deformed));
+}
+
 Points MeshPair::exchange_deformed(Points deformed) {
-  assert(deformed.cols() == rest_.cols());
-  deformed_.swap(deformed);
+  assert(deformed.cols() == rest_->cols());
+  deformed_.own().swap(deformed);
   return deformed;
 }
 
 void MeshPair::set_positions(Points rest, Points deformed) {
-  assert(rest.cols() == rest_.cols() && deformed.cols() == rest_.cols());
-  rest_ = std::move(rest);
-  deformed_ = std::move(deformed);
+  assert(rest.cols() == rest_->cols() && deformed.cols() == rest_->cols());
+  rest_.set(std::move(rest));
+  deformed_.set(std::move(deformed));
 }
 
 void MeshPair::move_vertex(int v, const Vec2& rest, const Vec2& deformed) {
-  rest_.col(v) = rest;
-  deformed_.col(v) = deformed;
+  rest_.own().col(v) = rest;
+  deformed_.own().col(v) = deformed;
   touch();
 }
 
@@ -141,21 +149,23 @@ int MeshPair::split_edge(int e, double t) {
   assert(0 < t && t < 1);
   const auto [a, b] = edge(e);
   const int v = vertex_count();
-  append_vertex(rest_.col(a) + t * (rest_.col(b) - rest_.col(a)),
-                deformed_.col(a) + t * (deformed_.col(b) - deformed_.col(a)));
+  const auto between = [a = a, b = b, t](const Points& points) -> Vec2 {
+    return points.col(a) + t * (points.col(b) - points.col(a));
+  };
+  append_vertex(between(*rest_), between(*deformed_));
   connectivity_.own().split(EdgeHandle(e), VertexHandle(v));
   read_triangles_round(v);
   return v;
 }
 
 int MeshPair::split_triangle(int t, const Eigen::Vector3d& barycentric) {
-  const Eigen::Vector3i corners = triangles_.col(t);
+  const Eigen::Vector3i corners = triangles_->col(t);
   const auto at = [&](const Points& points) -> Vec2 {
     return points.col(corners[0]) * barycentric[0] + points.col(corners[1]) * barycentric[1] +
            points.col(corners[2]) * barycentric[2];
   };
   const int v = vertex_count();
-  append_vertex(at(rest_), at(deformed_));
+  append_vertex(at(*rest_), at(*deformed_));
   connectivity_.own().split(FaceHandle(t), VertexHandle(v));
   read_triangles_round(v);
   return v;
@@ -163,23 +173,26 @@ int MeshPair::split_triangle(int t, const Eigen::Vector3d& barycentric) {
 
 void MeshPair::append_vertex(const Vec2& rest, const Vec2& deformed) {
   connectivity_.own().add_vertex();
-  rest_.conservativeResize(Eigen::NoChange, rest_.cols() + 1);
-  deformed_.conservativeResize(Eigen::NoChange, deformed_.cols() + 1);
-  rest_.rightCols<1>() = rest;
-  deformed_.rightCols<1>() = deformed;
+  const auto append = [](Points& points, const Vec2& point) {
+    points.conservativeResize(Eigen::NoChange, points.cols() + 1);
+    points.rightCols<1>() = point;
+  };
+  append(rest_.own(), rest);
+  append(deformed_.own(), deformed);
 }
 
 void MeshPair::read_triangle(FaceHandle f) {
   HalfedgeHandle h = connectivity_->halfedge_handle(f);
+  auto corners = triangles_.own().col(f.idx());
   for (int corner = 0; corner < 3; ++corner) {
-    triangles_(corner, f.idx()) = connectivity_->to_vertex_handle(h).idx();
+    corners[corner] = connectivity_->to_vertex_handle(h).idx();
     h = connectivity_->next_halfedge_handle(h);
   }
 }
 
 void MeshPair::read_triangles_round(int v) {
-  triangles_.conservativeResize(Eigen::NoChange,
-                                static_cast<Eigen::Index>(connectivity_->n_faces()));
+  triangles_.own().conservativeResize(Eigen::NoChange,
+                                      static_cast<Eigen::Index>(connectivity_->n_faces()));
   for (const int t : triangles_of_vertex(v)) read_triangle(FaceHandle(t));
   touch();
 }

@@ -25,8 +25,8 @@ struct Diamond {
 /// Rest mesh M and deformed mesh M′: one connectivity, two arrays of positions, so that they
 /// cannot drift apart. Vertices are dense indices; original vertices keep theirs for ever and
 /// vertices made by splits follow. Vertices that no triangle uses are kept. The units and the
-/// frame of the positions are the caller's. A copy shares the connectivity until one of the two is
-/// changed.
+/// frame of the positions are the caller's. A copy shares what it has, the connectivity and each
+/// array by itself, until one of the two changes it.
 class MeshPair {
  public:
   MeshPair() = default;
@@ -35,16 +35,16 @@ class MeshPair {
   /// As above with its own deformed positions, 2 × #V.
   MeshPair(const Triangles& triangles, Points rest, Points deformed);
 
-  int vertex_count() const { return static_cast<int>(rest_.cols()); }
-  int face_count() const { return static_cast<int>(triangles_.cols()); }
+  int vertex_count() const { return static_cast<int>(rest_->cols()); }
+  int face_count() const { return static_cast<int>(triangles_->cols()); }
   /// Edges are dense indices too, for interior and boundary edges alike.
   int edge_count() const { return static_cast<int>(connectivity_->n_edges()); }
 
-  const Triangles& triangles() const { return triangles_; }
-  const Points& rest() const { return rest_; }
-  const Points& deformed() const { return deformed_; }
+  const Triangles& triangles() const { return *triangles_; }
+  const Points& rest() const { return *rest_; }
+  const Points& deformed() const { return *deformed_; }
   /// Replaces the positions of M′, 2 × #V.
-  void set_deformed(Points deformed) { exchange_deformed(std::move(deformed)); }
+  void set_deformed(Points deformed);
   /// The same; returns those that it had.
   Points exchange_deformed(Points deformed);
   /// The same pair in another frame: replaces both arrays, 2 × #V; connectivity and revision stay.
@@ -96,9 +96,9 @@ class MeshPair {
   void touch();
 
   CopyOnWrite<OpenMesh::TriConnectivity> connectivity_;
-  Triangles triangles_;  ///< copy of the connectivity in the order solvers read it
-  Points rest_;
-  Points deformed_;
+  CopyOnWrite<Triangles> triangles_;  ///< copy of the connectivity in the order solvers read it
+  CopyOnWrite<Points> rest_;
+  CopyOnWrite<Points> deformed_;
   std::shared_ptr<const Stiffness> stiffness_;
   std::uint64_t revision_ = 0;
 };

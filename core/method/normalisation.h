@@ -15,8 +15,8 @@ struct Normalisation {
 
   Points to_unit_rest(const Points& rest) const { return rest * scale; }
   Points from_unit_rest(const Points& rest) const { return rest / scale; }
-  Points to_unit(const Points& deformed) const { return (deformed.colwise() - offset) * scale; }
-  Points from_unit(const Points& deformed) const { return (deformed / scale).colwise() + offset; }
+  Points to_unit(const Points& deformed) const;
+  Points from_unit(const Points& deformed) const;
 };
 
 /// The frame for a rest mesh (2 × #V, at least one vertex).

@@ -8,13 +8,14 @@
 #include "core/solve/descent.h"
 #include "core/solve/line_search.h"
 #include "core/solve/newton_step.h"
+#include "core/threads/zeros.h"
 
 namespace foldless {
 namespace {
 
 /// δ as displacements of all vertices, 2 × #V.
 Points way_of_handles(const MeshPair& mesh, const Constraints& constraints) {
-  Points way = Points::Zero(2, mesh.vertex_count());
+  Points way = zeros<Points>(2, mesh.vertex_count());
   for (int i = 0; i < constraints.count(); ++i) {
     if (!constraints.is_eliminated(i)) continue;
     const int v = constraints.vertices[static_cast<std::size_t>(i)];

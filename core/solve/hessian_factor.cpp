@@ -15,10 +15,14 @@ namespace {
 /// Unknowns from which on less memory is worth more iterations.
 constexpr int kRoughFrom = 4000;
 
-/// An iteration costs a tenth of a factorization or less.
-constexpr int kMostLaggedIterations = 8;
-/// A factor that took so many iterations is too far from ∇²E to serve once more.
-constexpr int kIterationsOfAFarFactor = 5;
+/// How long an earlier factor serves.
+struct Lag {
+  int most_iterations;  ///< of a solve; an iteration costs a quarter of a factorization or less
+  int iterations_of_a_far_factor;  ///< which is too far from ∇²E to serve once more
+};
+constexpr Lag kLagOfLarge{8, 5};
+/// Of few unknowns the analysis, after flips, costs as much as the factorization.
+constexpr Lag kLagOfSmall{12, 8};
 
 /// Of iterations from a coarse mesh, where the second lowers the model by a tenth of what the first
 /// does when they go well. They cost less than those from a factor, which costs far more.
@@ -34,6 +38,8 @@ constexpr double kMostSolvedLocally = 0.02;
 constexpr double kFewNodes = 100;
 /// Unknowns from which on that saves more than it costs.
 constexpr int kSolvedLocallyFrom = 4000;
+
+bool is_large(const SparseSymmetric& matrix) { return matrix.size() >= kSolvedLocallyFrom; }
 
 /// The trace of the node's block.
 double stiffness_of(const SparseSymmetric& A, std::size_t node) {
@@ -97,7 +103,7 @@ bool HessianFactor::factorize(const Hessian& hessian, double mu, Precision preci
   is_near_ = cholesky_.factorize(hessian.matrix, mu, precision);
   is_of_mesh_ = is_near_;
   stiffness_.clear();
-  if (hessian.matrix.size() >= kSolvedLocallyFrom)
+  if (is_large(hessian.matrix))
     for (std::size_t node = 0; node < static_cast<std::size_t>(hessian.matrix.nodes); ++node)
       stiffness_.push_back(stiffness_of(hessian.matrix, node));
   is_own_ = is_near_ && mu == 0;
@@ -108,7 +114,8 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
     const Hessian& hessian, const Eigen::VectorXd& b, double least_gain,
     std::span<const Eigen::VectorXd> guesses) {
   if (!is_near(hessian.kind)) return solve_from_coarse(hessian, b, least_gain);
-  ConjugateGradientSettings settings{least_gain, kMostLaggedIterations};
+  const Lag lag = is_large(hessian.matrix) ? kLagOfLarge : kLagOfSmall;
+  ConjugateGradientSettings settings{least_gain, lag.most_iterations};
   settings.room = &room_;
   std::optional<LocalSolve> local;
   if (!is_own_) {
@@ -123,7 +130,7 @@ std::optional<ConjugateGradientSolution> HessianFactor::solve_later(
   ConjugateGradientSolution solution = conjugate_gradients(hessian.matrix, b, cholesky_, settings);
   if (solution.end == ConjugateGradientEnd::stopped) return std::nullopt;
   const bool is_slow = solution.end == ConjugateGradientEnd::slow;
-  is_near_ = !is_slow && (local || solution.iterations < kIterationsOfAFarFactor);
+  is_near_ = !is_slow && (local || solution.iterations < lag.iterations_of_a_far_factor);
   if (is_slow) return std::nullopt;
   return solution;
 }
@@ -144,7 +151,9 @@ std::optional<LocalSolve> HessianFactor::solve_of_changed_nodes(
     nodes.reserve(changed.size());
     for (const ChangedNode& node : changed) nodes.push_back(node.node);
     for (int ring = 0; ring < kRingsOfChangedNodes; ++ring) nodes = with_neighbours(matrix, nodes);
-    if (nodes.size() <= most) return LocalSolve(matrix, nodes);
+    if (nodes.size() > most) continue;
+    cholesky_.sort_by_elimination(nodes);
+    return LocalSolve(matrix, nodes);
   }
   return std::nullopt;
 }

@@ -47,14 +47,16 @@ class WithoutSignals {
 
 }  // namespace
 
-Team::Team(int threads) : size_(std::max(1, threads)), ticket_(kClosed) {}
+Team::Share::Share() : ticket(kClosed) {}
+
+Team::Team(int threads) : size_(std::max(1, threads)), shares_(static_cast<std::size_t>(size_)) {}
 
 void Team::start_helpers() {
   const WithoutSignals without;
   try {
     helpers_.reserve(static_cast<std::size_t>(size_ - 1));
-    while (size() > static_cast<int>(helpers_.size()) + 1)
-      helpers_.emplace_back([this] { help(); });
+    for (int thread = 1; thread < size_; ++thread)
+      helpers_.emplace_back([this, thread] { help(thread); });
   } catch (const std::exception&) {
     size_ = static_cast<int>(helpers_.size()) + 1;  // those that are there do the work
   }
@@ -67,15 +69,20 @@ Team::~Team() {
 }
 
 void Team::open(int count) {
-  const std::uint64_t number = (ticket_.load(std::memory_order_relaxed) >> 32) + 1;
+  const std::uint64_t number = opened_.load(std::memory_order_relaxed) + 1;
   count_.store(count, std::memory_order_relaxed);
-  done_.store(0, std::memory_order_relaxed);
-  ticket_.store(number << 32, std::memory_order_release);
-  ticket_.notify_all();
+  done_by_helpers_.store(0, std::memory_order_relaxed);
+  for (int thread = 0; thread < size_; ++thread)
+    shares_[static_cast<std::size_t>(thread)].ticket.store(number << 32 | first_of(thread),
+                                                           std::memory_order_release);
+  opened_.store(number, std::memory_order_release);
+  opened_.notify_all();
 }
 
 // A helper that is late must not take the next job's count for this one's.
-void Team::close() { ticket_.fetch_or(kClosed, std::memory_order_relaxed); }
+void Team::close() {
+  for (Share& share : shares_) share.ticket.fetch_or(kClosed, std::memory_order_relaxed);
+}
 
 void Team::run_job(int count, Job job) {
   const WithTeam none(nullptr);
@@ -86,47 +93,57 @@ void Team::run_job(int count, Job job) {
   }
   job_ = job;
   open(count);
-  while (run_next()) {
-  }
-  for (int looks = 0; done_.load(std::memory_order_acquire) < count; ++looks)
+  const int by_helpers = count - run_tasks(0);
+  for (int looks = 0; done_by_helpers_.load(std::memory_order_acquire) < by_helpers; ++looks)
     looks < kLooksBeforeSleep ? rest() : std::this_thread::yield();
   close();
   if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
 }
 
-bool Team::run_next() {
-  std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
+std::uint64_t Team::first_of(int thread) const {
+  const auto count = static_cast<std::uint64_t>(count_.load(std::memory_order_relaxed));
+  return count * static_cast<std::uint64_t>(thread) / static_cast<std::uint64_t>(size_);
+}
+
+std::optional<int> Team::next_of(int thread) {
+  std::atomic<std::uint64_t>& next = shares_[static_cast<std::size_t>(thread)].ticket;
+  std::uint64_t ticket = next.load(std::memory_order_acquire);
   do {
-    if (task_of(ticket) >= static_cast<std::uint64_t>(count_.load(std::memory_order_relaxed)))
-      return false;
-  } while (!ticket_.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
-                                          std::memory_order_acquire));
-  try {
-    job_.call(job_.task, static_cast<int>(task_of(ticket)));
-  } catch (...) {
-    const std::lock_guard lock(error_guard_);
-    error_ = std::current_exception();
-  }
-  done_.fetch_add(1, std::memory_order_acq_rel);
-  return true;
+    if (task_of(ticket) >= first_of(thread + 1)) return std::nullopt;
+  } while (!next.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel,
+                                       std::memory_order_acquire));
+  return static_cast<int>(task_of(ticket));
+}
+
+int Team::run_tasks(int thread) {
+  int done = 0;
+  for (int k = 0; k < size_; ++k)
+    while (const std::optional<int> task = next_of((thread + k) % size_)) {
+      try {
+        job_.call(job_.task, *task);
+      } catch (...) {
+        const std::lock_guard lock(error_guard_);
+        error_ = std::current_exception();
+      }
+      ++done;
+    }
+  return done;
 }
 
 std::uint64_t Team::wait_for_work(std::uint64_t seen) const {
   for (int looks = 0; looks < kLooksBeforeSleep; ++looks) {
-    const std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
-    if (ticket != seen) return ticket;
+    const std::uint64_t opened = opened_.load(std::memory_order_acquire);
+    if (opened != seen) return opened;
     rest();
   }
-  ticket_.wait(seen, std::memory_order_acquire);
-  return ticket_.load(std::memory_order_acquire);
+  opened_.wait(seen, std::memory_order_acquire);
+  return opened_.load(std::memory_order_acquire);
 }
 
-void Team::help() {
-  std::uint64_t seen = kClosed;
-  while (!is_over_) {
-    while (run_next()) {
-    }
+void Team::help(int thread) {
+  for (std::uint64_t seen = 0; !is_over_;) {
     seen = wait_for_work(seen);
+    done_by_helpers_.fetch_add(run_tasks(thread), std::memory_order_acq_rel);
   }
 }
 

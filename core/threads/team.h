@@ -5,15 +5,18 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <type_traits>
 #include <vector>
 
 namespace foldless {
 
-/// Threads that work on one thing together: the one that asks for it, and helpers. A helper that
-/// has had nothing to do for some microseconds sleeps; one that has not woken up yet is not waited
-/// for. One thread at a time may ask.
+/// Threads that work on one thing together: the one that asks for it, and helpers. Each begins with
+/// its share of the tasks, the i-th of as many parts as there are threads, so that it meets what it
+/// has in its cache from the job before; then it takes tasks of others. A helper that has had
+/// nothing to do for some microseconds sleeps; one that has not woken up yet is not waited for. One
+/// thread at a time may ask.
 class Team {
  public:
   /// Of threads − 1 helpers, which start with the first job of more than one task, fewer where the
@@ -43,17 +46,28 @@ class Team {
   void start_helpers();
   void open(int count);
   void close();
-  /// Takes the next task of the job that is open, and runs it; false when there is none.
-  bool run_next();
-  void help();
-  /// The ticket, when it is another than `seen`.
+  /// The first task of a thread's share; for the number of threads, how many tasks there are.
+  std::uint64_t first_of(int thread) const;
+  /// The next task of that share; nothing when all are taken.
+  std::optional<int> next_of(int thread);
+  /// Runs tasks of the open job, those of the thread's share first, until none is left; how many.
+  int run_tasks(int thread);
+  void help(int thread);
+  /// The number of jobs that were opened, when it is another than `seen`.
   std::uint64_t wait_for_work(std::uint64_t seen) const;
+
+  /// On a cache line of its own.
+  struct alignas(64) Share {
+    Share();
+    /// The number of the job in the upper half, of the next task in the lower.
+    std::atomic<std::uint64_t> ticket;
+  };
 
   int size_;
   std::vector<std::thread> helpers_;
-  /// The number of the job in the upper half, of its next task in the lower.
-  std::atomic<std::uint64_t> ticket_;
-  std::atomic<int> count_ = 0, done_ = 0;
+  std::vector<Share> shares_;  ///< by thread; the one that asks is the first
+  std::atomic<std::uint64_t> opened_ = 0;
+  std::atomic<int> count_ = 0, done_by_helpers_ = 0;
   std::atomic<bool> is_over_ = false;
   Job job_{};  ///< written while no job is open
   std::mutex error_guard_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <thread>
 #include <utility>
@@ -179,6 +180,40 @@ TEST(Cholesky, APatternThatHasLittleToDoWithTheOneBeforeIsOrderedAnew) {
   cholesky.analyze(grid(391));
   anew.analyze(grid(391));
   EXPECT_EQ(cholesky.values(), anew.values());
+}
+
+TEST(Cholesky, SomeOfItsNodesAloneHaveLittleFillInTheOrderOfTheirElimination) {
+  const SparseSymmetric whole = laplacian_of_grid(40);
+  Cholesky cholesky;
+  cholesky.analyze(whole);
+  std::vector<int> nodes;  // of a square of 20 × 20 in it, and backwards
+  for (int i = 19; i >= 0; --i)
+    for (int j = 19; j >= 0; --j) nodes.push_back(40 * i + j);
+  const auto part_in_order = [](const std::vector<int>& of) {
+    std::vector<int> place(1600, -1);
+    for (std::size_t k = 0; k < of.size(); ++k)
+      place[static_cast<std::size_t>(of[k])] = static_cast<int>(k);
+    NodePairs edges;
+    for (std::size_t node = 0; node < 1600; ++node)
+      for (const std::size_t other : {node + 1, node + 40})
+        if (other < 1600 && place[node] >= 0 && place[other] >= 0)
+          edges.emplace_back(place[node], place[other]);
+    return laplacian(400, edges, 0.1);
+  };
+  Cholesky as_they_are;
+  as_they_are.analyze_in_order(part_in_order(nodes));
+  std::vector<int> sorted = nodes;
+  cholesky.sort_by_elimination(sorted);
+  EXPECT_TRUE(std::ranges::is_permutation(sorted, nodes));
+  const SparseSymmetric part = part_in_order(sorted);
+  Cholesky in_order, anew;
+  in_order.analyze_in_order(part);
+  anew.analyze(part);
+  EXPECT_LT(static_cast<double>(in_order.values()), 1.2 * static_cast<double>(anew.values()));
+  EXPECT_GT(static_cast<double>(as_they_are.values()), 1.5 * static_cast<double>(anew.values()));
+  ASSERT_TRUE(in_order.factorize(part));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(part.size(), -1, 2);
+  EXPECT_LT(residual(part, 0, in_order.solve(b), b), 1e-12);
 }
 
 TEST_P(CholeskyTest, ACopyHasTheFactor) {

@@ -20,6 +20,11 @@ TEST(SharedVectors, AreThoseOfTheLinearAlgebra) {
     add_multiple(-0.3, a, sum);
     EXPECT_EQ(sum, Eigen::VectorXd(b - 0.3 * a));
     EXPECT_EQ(sum_with_multiple(b, -0.3, a), sum);
+    Eigen::VectorXd made;
+    subtract(a, b, made);
+    EXPECT_EQ(made, Eigen::VectorXd(a - b));
+    copy(a, made);
+    EXPECT_EQ(made, a);
     EXPECT_EQ(largest_difference(a, b), size == 0 ? 0 : (a - b).lpNorm<Eigen::Infinity>());
     EXPECT_EQ(largest_magnitude(a), a.lpNorm<Eigen::Infinity>());
     EXPECT_EQ(largest_magnitude(-a), a.lpNorm<Eigen::Infinity>());
@@ -40,6 +45,11 @@ TEST(SharedVectors, HaveTheSameBitsWithAnyNumberOfThreads) {
     EXPECT_EQ(shared, alone);
     EXPECT_EQ(sum_with_multiple(b, 7, a), alone);
     EXPECT_EQ(largest_difference(a, b), difference);
+    Eigen::VectorXd made;
+    subtract(a, b, made);
+    EXPECT_EQ(made, Eigen::VectorXd(a - b));
+    copy(a, made);
+    EXPECT_EQ(made, a);
   }
 }
 

@@ -30,6 +30,20 @@ TEST(CopyOnWrite, WhatIsNotSharedIsNotCopied) {
   EXPECT_EQ(&moved.own(), before);
 }
 
+TEST(CopyOnWrite, AnotherValueIsPutInItsPlaceWhereNobodySharesIt) {
+  Numbers first(std::vector{1, 2});
+  const std::vector<int>& own = *first;
+  first.set({3});
+  EXPECT_EQ(own, std::vector{3});
+  const Numbers second = first;
+  first.set({4, 5});
+  EXPECT_EQ(*first, (std::vector{4, 5}));
+  EXPECT_EQ(*second, std::vector{3});
+  Numbers none;
+  none.set({6});
+  EXPECT_EQ(*none, std::vector{6});
+}
+
 TEST(CopyOnWrite, WithoutAValueItIsThatOfNothing) {
   Numbers numbers;
   EXPECT_TRUE(numbers->empty());

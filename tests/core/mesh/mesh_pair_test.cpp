@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "tests/support/meshes.h"
@@ -79,6 +80,44 @@ TEST(MeshPair, ACopyIsIndependent) {
   copy.flip(copy.find_edge(0, 2).value());
   EXPECT_TRUE(original.find_edge(0, 2).has_value());
   EXPECT_EQ(original.triangles(), f.triangles);
+}
+
+TEST(MeshPair, ACopySharesEveryArrayUntilOneOfTheTwoChangesIt) {
+  const auto f = test::unit_square();
+  const MeshPair original(f.triangles, f.rest);
+  const auto shared = [&](const MeshPair& copy) {
+    return std::array{copy.triangles().data() == original.triangles().data(),
+                      copy.rest().data() == original.rest().data(),
+                      copy.deformed().data() == original.deformed().data()};
+  };
+  const auto shared_after = [&](const auto& change) {
+    MeshPair copy = original;
+    EXPECT_EQ(shared(copy), (std::array{true, true, true}));
+    change(copy);
+    EXPECT_EQ(original.triangles(), f.triangles);
+    EXPECT_EQ(original.rest(), f.rest);
+    EXPECT_EQ(original.deformed(), f.rest);
+    return shared(copy);
+  };
+  const Points twice = 2 * f.rest;
+  EXPECT_EQ(shared_after([&](MeshPair& copy) { copy.set_deformed(twice); }),
+            (std::array{true, true, false}));
+  EXPECT_EQ(shared_after([&](MeshPair& copy) {
+              EXPECT_EQ(copy.exchange_deformed(twice), f.rest);
+              EXPECT_EQ(copy.deformed(), twice);
+            }),
+            (std::array{true, true, false}));
+  EXPECT_EQ(shared_after([&](MeshPair& copy) { copy.set_positions(twice, twice); }),
+            (std::array{true, false, false}));
+  EXPECT_EQ(shared_after([&](MeshPair& copy) {
+              copy.move_vertex(1, {2, 0}, {3, 0});
+            }),
+            (std::array{true, false, false}));
+  EXPECT_EQ(shared_after([](MeshPair& copy) { copy.flip(copy.find_edge(0, 2).value()); }),
+            (std::array{false, true, true}));
+  EXPECT_EQ(
+      shared_after([](MeshPair& copy) { copy.split_edge(copy.find_edge(0, 2).value(), 0.5); }),
+      (std::array{false, false, false}));
 }
 
 TEST(MeshPair, SplittingAnEdgeKeepsTheMapAndAppendsTheVertex) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/method/satisfied.h"
+#include "core/threads/team.h"
 #include "tests/support/meshes.h"
 
 namespace foldless {
@@ -34,6 +35,18 @@ TEST(Normalisation, DeformedPositionsComeBackWithinRoundingAndAroundTheOrigin) {
   const Normalisation n = normalisation_for(rest);
   EXPECT_LT(n.to_unit(rest).cwiseAbs().maxCoeff(), 1);
   EXPECT_LT((n.from_unit(n.to_unit(rest)) - rest).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(Normalisation, ThreadsMakeTheSameBits) {
+  const Points points = Points::Random(2, 10'000);
+  const Normalisation n{0.25, {3, -0.7}};
+  const Points unit = n.to_unit(points), back = n.from_unit(points);
+  EXPECT_EQ(unit, Points((points.colwise() - n.offset) * n.scale));
+  EXPECT_EQ(back, Points((points / n.scale).colwise() + n.offset));
+  Team team(3);
+  const WithTeam with(&team);
+  EXPECT_EQ(n.to_unit(points), unit);
+  EXPECT_EQ(n.from_unit(points), back);
 }
 
 }  // namespace

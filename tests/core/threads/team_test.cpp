@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace foldless {
@@ -37,6 +38,31 @@ TEST(Team, HelpersTakePart) {
     while (!met) std::this_thread::yield();
   });
   EXPECT_TRUE(met);
+}
+
+/// The tasks of a job of four that the asking thread ran, in their order, where all that came
+/// before `last` were done before that one ended.
+std::vector<int> tasks_of_asking_thread(Team& team, int last) {
+  const std::thread::id asking = std::this_thread::get_id();
+  std::vector<int> own;
+  std::atomic<int> begun = 0, others_done = 0;
+  team.run(4, [&](int i) {
+    if (std::this_thread::get_id() == asking) own.push_back(i);
+    ++begun;
+    while (begun < 2) std::this_thread::yield();  // so that both threads have one
+    while (i == last && others_done < 3) std::this_thread::yield();
+    if (i != last) ++others_done;
+  });
+  return own;
+}
+
+TEST(Team, EachThreadBeginsWithItsShareAndThenTakesTasksOfOthers) {
+  Team team(2);
+  for (int round = 0; round < 100; ++round) {
+    ASSERT_EQ(tasks_of_asking_thread(team, 2), (std::vector{0, 1, 3}))
+        << "the helper has the third";
+    ASSERT_EQ(tasks_of_asking_thread(team, 0), std::vector{0}) << "the helper has all others";
+  }
 }
 
 TEST(Team, WhatATaskThrowsArrivesWhenTheOthersAreDone) {

@@ -67,7 +67,7 @@ TEST(Foldless, WhileOtherWaysAreTriedTheNearestMeshStaysOnShow) {
 
 TEST(Foldless, IsValidOnRandomScenesWhateverIsCancelledAndResumed) {
   std::set<Phase> phases;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Foldless method(seed % 2 ? test::random_problem(seed) : trading_places(seed));
     std::mt19937_64 random(seed);

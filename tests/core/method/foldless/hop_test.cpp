@@ -45,7 +45,7 @@ double distortion_energy(const Workspace& work) {
 TEST(Hop, IsValidWhateverIsCancelledAndEndsWithNoMoreEnergyUnlessItWasCrushed) {
   int lower = 0, cancelled = 0;
   double logarithms = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     OwnWorkspace own = trading_workspace(seed);
     Workspace& work = own.work;
