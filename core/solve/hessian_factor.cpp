@@ -12,8 +12,9 @@
 namespace foldless {
 namespace {
 
-/// Unknowns from which on less memory is worth more iterations.
-constexpr int kRoughFrom = 4000;
+/// Unknowns from which on less memory is worth more iterations, and to solve for nodes that changed
+/// by themselves saves more than it costs.
+constexpr int kLargeFrom = 4000;
 
 /// How long an earlier factor serves.
 struct Lag {
@@ -36,10 +37,8 @@ constexpr double kChangedStiffness[] = {1.05, 1.1, 1.2, 1.5, 2, 4};
 constexpr int kRingsOfChangedNodes = 2;
 constexpr double kMostSolvedLocally = 0.02;
 constexpr double kFewNodes = 100;
-/// Unknowns from which on that saves more than it costs.
-constexpr int kSolvedLocallyFrom = 4000;
 
-bool is_large(const SparseSymmetric& matrix) { return matrix.size() >= kSolvedLocallyFrom; }
+bool is_large(const SparseSymmetric& matrix) { return matrix.size() >= kLargeFrom; }
 
 /// The trace of the node's block.
 double stiffness_of(const SparseSymmetric& A, std::size_t node) {
@@ -89,8 +88,7 @@ void HessianFactor::analyze(const SparseSymmetric& matrix) {
 }
 
 Precision HessianFactor::for_iterations(const Hessian& hessian) const {
-  const bool is_large = hessian.matrix.size() >= kRoughFrom;
-  return solves_in_single_precision() && is_large ? roughest_ : Precision::full;
+  return solves_in_single_precision() && is_large(hessian.matrix) ? roughest_ : Precision::full;
 }
 
 void HessianFactor::set_too_rough() {
