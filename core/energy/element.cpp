@@ -42,7 +42,7 @@ FirstOrder<double> first_order_of(const EnergySettings& settings,
 
 RestElement rest_element(const Corners& rest) {
   const double area = signed_area(rest.col(0), rest.col(1), rest.col(2));
-  return {area, hat_gradients(rest.col(0), rest.col(1), rest.col(2), area)};
+  return {area, hat_gradients(rest.col(0), rest.col(1), rest.col(2), area), 1};
 }
 
 RestElement rest_element(const MeshPair& mesh, const Eigen::Vector3i& t) {

@@ -11,9 +11,9 @@ namespace foldless {
 
 /// What the energy needs of a rest triangle.
 struct RestElement {
-  double area = 0;                        ///< A > 0
+  double area;                            ///< A > 0
   Eigen::Matrix<double, 2, 3> gradients;  ///< of the hat functions
-  double stiffness = 1;                   ///< factor on the distortion
+  double stiffness;                       ///< factor on the distortion
 };
 
 /// Corners of a triangle, 2 × 3.

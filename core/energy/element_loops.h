@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+#include <span>
 
 #include "core/energy/corner_blocks.h"
 #include "core/energy/element.h"
@@ -12,10 +12,10 @@ namespace foldless {
 /// Triangles of a mesh as an energy sees them.
 struct ElementBatch {
   const EnergySettings& settings;
-  const Triangles& triangles;            ///< 3 × #F
-  const std::vector<RestElement>& rest;  ///< #F
-  const Points& u;                       ///< 2 × #V
-  double clamping = 0;                   ///< as in element_hessian()
+  const Triangles& triangles;         ///< 3 × #F
+  std::span<const RestElement> rest;  ///< #F
+  const Points& u;                    ///< 2 × #V
+  double clamping = 0;                ///< as in element_hessian()
 };
 
 /// What some triangles in a row give, one place a triangle.

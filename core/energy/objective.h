@@ -12,6 +12,7 @@
 #include "core/energy/vertex_ranges.h"
 #include "core/linear/sparse_symmetric.h"
 #include "core/mesh/mesh_pair.h"
+#include "core/threads/unfilled_vector.h"
 
 namespace foldless {
 
@@ -143,7 +144,7 @@ class Objective {
 
   std::vector<bool> has_hard_handle_;       ///< by vertex
   Triangles triangles_;                     ///< 3 × #F
-  std::vector<RestElement> rest_;           ///< one a triangle
+  UnfilledVector<RestElement> rest_;        ///< one a triangle
   std::vector<int> triangles_of_handles_;   ///< those with a corner at a hard handle
   std::vector<VertexRange> vertex_ranges_;  ///< none where the triangles are too few to share
   CornersOfVertices corners_;               ///< where they lie too scattered for ranges

@@ -24,6 +24,16 @@ bool comes_round_to_next(const Points& points, const Eigen::Vector3i& t, int nex
          orientation(points, {t[0], next, t[2]}) >= 0;
 }
 
+/// Calls visit(v) for every corner of a counter-clockwise triangle that overlaps there.
+template <typename Visit>
+void for_each_overlap(const Eigen::Vector3i& triangle, const Points& points,
+                      const std::vector<BoundaryNeighbours>& neighbours, const Visit& visit) {
+  for_each_corner(triangle, [&](int v, int a, int b) {
+    const BoundaryNeighbours& of_v = neighbours[static_cast<std::size_t>(v)];
+    if (of_v.are_there() && comes_round_to_next(points, {v, a, b}, of_v.next)) visit(v);
+  });
+}
+
 }  // namespace boundary
 
 BoundaryNeighbours LinkEnds::neighbours() const {
@@ -54,12 +64,16 @@ std::vector<int> boundary_loop(const std::vector<BoundaryNeighbours>& neighbours
 
 void mark_overlaps(const Eigen::Vector3i& triangle, const Points& points,
                    const std::vector<BoundaryNeighbours>& neighbours, std::vector<char>& overlaps) {
-  boundary::for_each_corner(triangle, [&](int v, int a, int b) {
-    const auto i = static_cast<std::size_t>(v);
-    if (neighbours[i].are_there() &&
-        boundary::comes_round_to_next(points, {v, a, b}, neighbours[i].next))
-      std::atomic_ref(overlaps[i]).store(1, std::memory_order_relaxed);
+  boundary::for_each_overlap(triangle, points, neighbours, [&](int v) {
+    std::atomic_ref(overlaps[static_cast<std::size_t>(v)]).store(1, std::memory_order_relaxed);
   });
+}
+
+bool has_overlap(const Eigen::Vector3i& triangle, const Points& points,
+                 const std::vector<BoundaryNeighbours>& neighbours) {
+  bool found = false;
+  boundary::for_each_overlap(triangle, points, neighbours, [&](int) { found = true; });
+  return found;
 }
 
 bool overlaps_itself(int v, std::span<const Eigen::Vector3i> triangles, const Points& points) {

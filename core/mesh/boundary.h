@@ -52,6 +52,10 @@ std::vector<int> boundary_loop(const std::vector<BoundaryNeighbours>& neighbours
 void mark_overlaps(const Eigen::Vector3i& triangle, const Points& points,
                    const std::vector<BoundaryNeighbours>& neighbours, std::vector<char>& overlaps);
 
+/// Whether it would mark one.
+bool has_overlap(const Eigen::Vector3i& triangle, const Points& points,
+                 const std::vector<BoundaryNeighbours>& neighbours);
+
 /// Whether the angles at v add up to 2π or more, from all of its triangles: it then overlaps
 /// itself, or closes the gap between its two boundary edges. Never at an interior vertex.
 /// Precondition: they are counter-clockwise. Exact.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/injective.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <cstddef>
@@ -21,21 +22,18 @@ void count_offender(int index, int& count, std::optional<int>& first) {
   if (!first) first = index;
 }
 
-/// How often the link of each vertex crosses the horizontal ray to its right upwards, from the
-/// corners of counter-clockwise triangles: round such a corner the link edge turns by less than
-/// π, so it crosses the ray exactly when it begins below and ends on or above. For an interior
-/// vertex the sum is its winding number, found by comparisons alone.
-void count_crossings(const Eigen::Vector3i& t, const Points& points, std::vector<int>& crossings,
-                     bool is_shared) {
-  for (int corner = 0; corner < 3; ++corner) {
-    const double y = points(1, t[corner]);
-    if (!(points(1, t[kNext[corner]]) < y && y <= points(1, t[kPrevious[corner]]))) continue;
-    int& count = crossings[static_cast<std::size_t>(t[corner])];
-    if (is_shared)
-      std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed);
-    else
-      ++count;
-  }
+/// Triangles that a thread takes together.
+constexpr std::ptrdiff_t kTogether = 2048;
+
+std::size_t place(int v) { return static_cast<std::size_t>(v); }
+
+/// Whether the link edge of a corner of a counter-clockwise triangle crosses the horizontal ray to
+/// the right of the corner upwards: it turns by less than π round the corner, so it does exactly
+/// when it begins below and ends on or above. The sum round an interior vertex is its winding
+/// number, found by comparisons alone.
+bool crosses_ray(const Eigen::Vector3i& t, int corner, const Points& points) {
+  const double y = points(1, t[corner]);
+  return points(1, t[kNext[corner]]) < y && y <= points(1, t[kPrevious[corner]]);
 }
 
 }  // namespace
@@ -58,31 +56,74 @@ std::vector<bool> interior_vertices(const Triangles& triangles, int vertex_count
 
 InjectivityChecker::InjectivityChecker(Triangles triangles, int vertex_count)
     : triangles_(std::move(triangles)),
-      interior_(interior_vertices(triangles_, vertex_count)),
-      boundary_(boundary_neighbours(triangles_, vertex_count)) {}
+      interior_(static_cast<std::size_t>(vertex_count), false),
+      boundary_(boundary_neighbours(triangles_, vertex_count)) {
+  for (int f = 0; f < triangles_.cols(); ++f) {
+    bool is_outer = false;
+    for (const int v : triangles_.col(f)) {
+      if (boundary_[place(v)].are_there())
+        is_outer = true;
+      else
+        interior_[place(v)] = true;
+    }
+    if (is_outer) outer_triangles_.push_back(f);
+  }
+  interior_count_ = std::ranges::count(interior_, true);
+}
 
 InjectivityReport InjectivityChecker::check(const Points& points) const {
   assert(static_cast<std::size_t>(points.cols()) == interior_.size());
-  std::atomic<bool> are_all_positive = true;
+  return is_proved(points) ? InjectivityReport() : report_on(points);
+}
+
+// With counter-clockwise triangles an interior vertex is wound once or more, so all are wound once
+// exactly where they are as many as the crossings.
+bool InjectivityChecker::is_proved(const Points& points) const {
+  std::atomic<bool> has_failed = false;
+  std::atomic<std::ptrdiff_t> crossings = 0;
+  in_ranges(std::ssize(outer_triangles_), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    std::ptrdiff_t at_others = 0;
+    for (std::ptrdiff_t i = begin; i < end; ++i) {
+      const Eigen::Vector3i t = triangles_.col(outer_triangles_[static_cast<std::size_t>(i)]);
+      for (int corner = 0; corner < 3; ++corner)
+        at_others += boundary_[place(t[corner])].are_there() && crosses_ray(t, corner, points);
+      if (has_overlap(t, points, boundary_)) has_failed = true;
+    }
+    crossings -= at_others;
+  });
+  if (has_failed) return false;
+  in_ranges(triangles_.cols(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    std::ptrdiff_t all = 0;
+    for (std::ptrdiff_t f = begin; f < end; ++f) {
+      const Eigen::Vector3i t = triangles_.col(f);
+      if (orientation(points, t) <= 0) {
+        has_failed = true;
+        return;
+      }
+      for (int corner = 0; corner < 3; ++corner) all += crosses_ray(t, corner, points);
+    }
+    crossings += all;
+  });
+  return !has_failed && crossings == interior_count_;
+}
+
+InjectivityReport InjectivityChecker::report_on(const Points& points) const {
+  InjectivityReport report;
   std::vector<int> crossings(interior_.size(), 0);
   std::vector<char> overlaps(interior_.size(), 0);
-  constexpr std::ptrdiff_t kTogether = 2048;
-  const bool is_shared = present_team() && triangles_.cols() > kTogether;
-  each_in_ranges(triangles_.cols(), kTogether, [&](std::ptrdiff_t f) {
-    const Eigen::Vector3i t = triangles_.col(f);
-    if (orientation(points, t) <= 0)
-      return are_all_positive.store(false, std::memory_order_relaxed);
-    count_crossings(t, points, crossings, is_shared);
-    mark_overlaps(t, points, boundary_, overlaps);
-  });
-  InjectivityReport report;
   std::vector<bool> positive(interior_.size(), true);
-  for (Eigen::Index f = 0; !are_all_positive && f < triangles_.cols(); ++f) {
-    const int sign = orientation(points, triangles_.col(f));
-    if (sign > 0) continue;
-    for (const int v : triangles_.col(f)) positive[static_cast<std::size_t>(v)] = false;
-    if (sign < 0) count_offender(static_cast<int>(f), report.inverted, report.first_inverted);
-    if (sign == 0) count_offender(static_cast<int>(f), report.degenerate, report.first_degenerate);
+  for (int f = 0; f < triangles_.cols(); ++f) {
+    const Eigen::Vector3i t = triangles_.col(f);
+    const int sign = orientation(points, t);
+    if (sign > 0) {
+      for (int corner = 0; corner < 3; ++corner)
+        crossings[place(t[corner])] += crosses_ray(t, corner, points);
+      mark_overlaps(t, points, boundary_, overlaps);
+      continue;
+    }
+    for (const int v : t) positive[place(v)] = false;
+    if (sign < 0) count_offender(f, report.inverted, report.first_inverted);
+    if (sign == 0) count_offender(f, report.degenerate, report.first_degenerate);
   }
   for (std::size_t v = 0; v < interior_.size(); ++v) {
     if (!positive[v]) continue;

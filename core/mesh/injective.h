@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -50,9 +51,16 @@ class InjectivityChecker {
   }
 
  private:
+  /// Whether nothing is wrong with them, found in one pass over the triangles.
+  bool is_proved(const Points& points) const;
+  /// What is.
+  InjectivityReport report_on(const Points& points) const;
+
   Triangles triangles_;
   std::vector<bool> interior_;
   std::vector<BoundaryNeighbours> boundary_;  ///< by vertex
+  std::ptrdiff_t interior_count_ = 0;         ///< how many vertices are
+  std::vector<int> outer_triangles_;          ///< that have a corner at the boundary
 };
 
 /// One check of a mesh; see InjectivityChecker.

@@ -49,14 +49,15 @@ struct TriangleSide {
   std::array<int, 2> ends, corners;
 };
 
-/// For every corner 3 t + c of the triangles a number that two corners share when they are at one
-/// vertex, and triangles that share edges lead round it from one to the other.
-std::vector<int> fans(const Triangles& triangles) {
+/// For every corner 3 t + c of the triangles at a vertex that is not free a number that two corners
+/// share when they are at one vertex, and triangles that share edges lead round it from one to the
+/// other.
+std::vector<int> fans(const Triangles& triangles, const std::vector<bool>& is_free) {
   std::vector<TriangleSide> sides;
-  sides.reserve(at(3 * triangles.cols()));
   for (int t = 0; t < triangles.cols(); ++t)
     for (int c = 0; c < 3; ++c) {
       const int next = (c + 1) % 3;
+      if (is_free[at(triangles(c, t))] && is_free[at(triangles(next, t))]) continue;
       TriangleSide side{{triangles(c, t), triangles(next, t)}, {3 * t + c, 3 * t + next}};
       if (side.ends[0] > side.ends[1]) {
         std::swap(side.ends[0], side.ends[1]);
@@ -77,20 +78,32 @@ std::vector<int> fans(const Triangles& triangles) {
   return components_of(joined.leftCols(count), static_cast<int>(3 * triangles.cols()));
 }
 
-Patch patch_of(const Triangles& triangles) {
-  Patch patch{Triangles(3, triangles.cols()), {}};
-  const std::vector<int> fan = fans(triangles);
-  std::vector<int> vertex_of_fan(fan.size(), -1);
-  for (Eigen::Index corner = 0; corner < triangles.size(); ++corner) {
-    int& vertex = vertex_of_fan[at(fan[at(corner)])];
-    if (vertex < 0) {
-      vertex = static_cast<int>(patch.vertices.size());
-      patch.vertices.push_back(triangles.reshaped()[corner]);
+/// Makes patches of one mesh.
+class PatchMaker {
+ public:
+  explicit PatchMaker(const std::vector<bool>& is_free)
+      : is_free_(is_free), place_(is_free.size(), -1) {}
+
+  Patch of(const Triangles& triangles) {
+    Patch patch{Triangles(3, triangles.cols()), {}};
+    const std::vector<int> fan = fans(triangles, is_free_);
+    std::vector<int> place_of_fan(fan.size(), -1);
+    for (Eigen::Index corner = 0; corner < triangles.size(); ++corner) {
+      const int v = triangles.reshaped()[corner];
+      int& place = is_free_[at(v)] ? place_[at(v)] : place_of_fan[at(fan[at(corner)])];
+      if (place < 0) {
+        place = static_cast<int>(patch.vertices.size());
+        patch.vertices.push_back(v);
+      }
+      patch.triangles.reshaped()[corner] = place;
     }
-    patch.triangles.reshaped()[corner] = vertex;
+    return patch;
   }
-  return patch;
-}
+
+ private:
+  const std::vector<bool>& is_free_;
+  std::vector<int> place_;  ///< of every free vertex in its patch
+};
 
 }  // namespace
 
@@ -106,8 +119,9 @@ void grow(std::vector<bool>& is_marked, const Triangles& triangles, int rings) {
 
 std::vector<Patch> patches(const Triangles& triangles, const std::vector<bool>& is_free) {
   std::vector<Patch> result;
+  PatchMaker maker(is_free);
   for (const std::vector<int>& group : groups(triangles, is_free))
-    result.push_back(patch_of(triangles(Eigen::all, group)));
+    result.push_back(maker.of(triangles(Eigen::all, group)));
   return result;
 }
 

@@ -147,6 +147,36 @@ TEST(Injective, ThreadsFindTogetherWhatOneFinds) {
   EXPECT_EQ(shared.overlapping_boundary_vertices, alone.overlapping_boundary_vertices);
 }
 
+// The proof counts crossings of the whole mesh together.
+TEST(Injective, OneThingThatIsWrongWithALargeMeshIsNamedByAnyNumberOfThreads) {
+  const test::Fixture square = test::square_grid(80);
+  const int middle = 40 * 80 + 40;
+  test::Fixture inverted = square, no_number = square, open = fan(9, 2, 0.1);
+  inverted.rest.col(middle) += Vec2(1.3, 0.1);
+  no_number.rest(1, middle) = std::nan("");
+  open.triangles.conservativeResize(Eigen::NoChange, 8);
+  for (const int threads : {1, 3}) {
+    SCOPED_TRACE(testing::Message() << threads << " threads");
+    Team team(threads);
+    const WithTeam with(&team);
+    const auto report_on = [](const test::Fixture& f) {
+      return check_injectivity(f.triangles, f.rest);
+    };
+    EXPECT_TRUE(report_on(square).is_injective());
+    EXPECT_TRUE(report_on(both(square, fan(9, 1, 0.1))).is_injective());
+    EXPECT_GT(report_on(inverted).inverted, 0);
+    EXPECT_EQ(report_on(inverted).degenerate, 0);
+    EXPECT_GT(report_on(no_number).degenerate, 0);
+    EXPECT_EQ(report_on(no_number).inverted, 0);
+    const InjectivityReport covered_twice = report_on(both(square, fan(9, 2, 0.1)));
+    EXPECT_EQ(covered_twice.branch_vertices, 1);
+    EXPECT_EQ(covered_twice.first_branch_vertex, 80 * 80);
+    const InjectivityReport overlapping = report_on(both(square, open));
+    EXPECT_EQ(overlapping.overlapping_boundary_vertices, std::vector<int>{80 * 80});
+    EXPECT_EQ(overlapping.branch_vertices, 0);
+  }
+}
+
 // Against the sum of angles in floating point, on fans far from any tie.
 TEST(Injective, AgreesWithTheAngleSum) {
   const unsigned seed = 7;
