@@ -23,7 +23,7 @@ void count_offender(int index, int& count, std::optional<int>& first) {
 }
 
 /// Triangles that a thread takes together.
-constexpr std::ptrdiff_t kTogether = 2048;
+constexpr std::ptrdiff_t kGrain = 2048;
 
 std::size_t place(int v) { return static_cast<std::size_t>(v); }
 
@@ -81,7 +81,7 @@ InjectivityReport InjectivityChecker::check(const Points& points) const {
 bool InjectivityChecker::is_proved(const Points& points) const {
   std::atomic<bool> has_failed = false;
   std::atomic<std::ptrdiff_t> crossings = 0;
-  in_ranges(std::ssize(outer_triangles_), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+  in_ranges(std::ssize(outer_triangles_), kGrain, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     std::ptrdiff_t at_others = 0;
     for (std::ptrdiff_t i = begin; i < end; ++i) {
       const Eigen::Vector3i t = triangles_.col(outer_triangles_[static_cast<std::size_t>(i)]);
@@ -92,7 +92,7 @@ bool InjectivityChecker::is_proved(const Points& points) const {
     crossings -= at_others;
   });
   if (has_failed) return false;
-  in_ranges(triangles_.cols(), kTogether, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+  in_ranges(triangles_.cols(), kGrain, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     std::ptrdiff_t all = 0;
     for (std::ptrdiff_t f = begin; f < end; ++f) {
       const Eigen::Vector3i t = triangles_.col(f);
