@@ -2,7 +2,6 @@
 #include "core/mesh/boundary.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 
 namespace foldless {
@@ -64,9 +63,8 @@ std::vector<int> boundary_loop(const std::vector<BoundaryNeighbours>& neighbours
 
 void mark_overlaps(const Eigen::Vector3i& triangle, const Points& points,
                    const std::vector<BoundaryNeighbours>& neighbours, std::vector<char>& overlaps) {
-  boundary::for_each_overlap(triangle, points, neighbours, [&](int v) {
-    std::atomic_ref(overlaps[static_cast<std::size_t>(v)]).store(1, std::memory_order_relaxed);
-  });
+  boundary::for_each_overlap(triangle, points, neighbours,
+                             [&](int v) { overlaps[static_cast<std::size_t>(v)] = 1; });
 }
 
 bool has_overlap(const Eigen::Vector3i& triangle, const Points& points,

@@ -47,8 +47,7 @@ std::vector<int> boundary_loop(const std::vector<BoundaryNeighbours>& neighbours
 
 /// Marks, by vertex, the boundary vertices of a counter-clockwise triangle whose angles it takes to
 /// 2π or more; `neighbours` are those of every vertex. With all triangles at a vertex
-/// counter-clockwise one of them does so exactly where it overlaps itself. Exact. Threads may mark
-/// at the same time.
+/// counter-clockwise one of them does so exactly where it overlaps itself. Exact.
 void mark_overlaps(const Eigen::Vector3i& triangle, const Points& points,
                    const std::vector<BoundaryNeighbours>& neighbours, std::vector<char>& overlaps);
 

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 #include "core/mesh/orientation.h"
@@ -38,37 +37,21 @@ bool crosses_ray(const Eigen::Vector3i& t, int corner, const Points& points) {
 
 }  // namespace
 
-std::vector<bool> interior_vertices(const Triangles& triangles, int vertex_count) {
-  // The link of a vertex is one chain of edges: the differences of their indices add up to zero
-  // exactly when the chain is closed.
-  const auto n = static_cast<std::size_t>(vertex_count);
-  std::vector<std::int64_t> link(n, 0);
-  std::vector<bool> interior(n, false);
-  for (const auto& t : triangles.colwise())
-    for (int corner = 0; corner < 3; ++corner) {
-      const auto v = static_cast<std::size_t>(t[corner]);
-      link[v] += t[kPrevious[corner]] - t[kNext[corner]];
-      interior[v] = true;
-    }
-  for (std::size_t v = 0; v < n; ++v) interior[v] = interior[v] && link[v] == 0;
+std::vector<bool> interior_vertices(const Triangles& triangles,
+                                    const std::vector<BoundaryNeighbours>& boundary) {
+  std::vector<bool> interior(boundary.size(), false);
+  for (const int v : triangles.reshaped()) interior[place(v)] = !boundary[place(v)].are_there();
   return interior;
 }
 
 InjectivityChecker::InjectivityChecker(Triangles triangles, int vertex_count)
     : triangles_(std::move(triangles)),
-      interior_(static_cast<std::size_t>(vertex_count), false),
-      boundary_(boundary_neighbours(triangles_, vertex_count)) {
-  for (int f = 0; f < triangles_.cols(); ++f) {
-    bool is_outer = false;
-    for (const int v : triangles_.col(f)) {
-      if (boundary_[place(v)].are_there())
-        is_outer = true;
-      else
-        interior_[place(v)] = true;
-    }
-    if (is_outer) outer_triangles_.push_back(f);
-  }
-  interior_count_ = std::ranges::count(interior_, true);
+      boundary_(boundary_neighbours(triangles_, vertex_count)),
+      interior_(interior_vertices(triangles_, boundary_)),
+      interior_count_(std::ranges::count(interior_, true)) {
+  const auto is_at_boundary = [this](int v) { return boundary_[place(v)].are_there(); };
+  for (int f = 0; f < triangles_.cols(); ++f)
+    if (std::ranges::any_of(triangles_.col(f), is_at_boundary)) outer_triangles_.push_back(f);
 }
 
 InjectivityReport InjectivityChecker::check(const Points& points) const {

@@ -31,8 +31,9 @@ struct InjectivityReport {
 };
 
 /// True for every vertex whose edges all have two triangles; false at the boundary and for
-/// vertices without a triangle. Precondition: oriented manifold triangles. O(#V + #F).
-std::vector<bool> interior_vertices(const Triangles& triangles, int vertex_count);
+/// vertices without a triangle. `boundary` are the neighbours of every vertex. O(#V + #F).
+std::vector<bool> interior_vertices(const Triangles& triangles,
+                                    const std::vector<BoundaryNeighbours>& boundary);
 
 /// Proof that a planar mesh is locally injective, exact and without tolerance: every triangle is
 /// counter-clockwise, the triangles round every interior vertex cover it once, and the angles at
@@ -57,9 +58,9 @@ class InjectivityChecker {
   InjectivityReport report_on(const Points& points) const;
 
   Triangles triangles_;
-  std::vector<bool> interior_;
   std::vector<BoundaryNeighbours> boundary_;  ///< by vertex
-  std::ptrdiff_t interior_count_ = 0;         ///< how many vertices are
+  std::vector<bool> interior_;                ///< likewise
+  std::ptrdiff_t interior_count_;             ///< how many vertices are
   std::vector<int> outer_triangles_;          ///< that have a corner at the boundary
 };
 

@@ -78,32 +78,23 @@ std::vector<int> fans(const Triangles& triangles, const std::vector<bool>& is_fr
   return components_of(joined.leftCols(count), static_cast<int>(3 * triangles.cols()));
 }
 
-/// Makes patches of one mesh.
-class PatchMaker {
- public:
-  explicit PatchMaker(const std::vector<bool>& is_free)
-      : is_free_(is_free), place_(is_free.size(), -1) {}
-
-  Patch of(const Triangles& triangles) {
-    Patch patch{Triangles(3, triangles.cols()), {}};
-    const std::vector<int> fan = fans(triangles, is_free_);
-    std::vector<int> place_of_fan(fan.size(), -1);
-    for (Eigen::Index corner = 0; corner < triangles.size(); ++corner) {
-      const int v = triangles.reshaped()[corner];
-      int& place = is_free_[at(v)] ? place_[at(v)] : place_of_fan[at(fan[at(corner)])];
-      if (place < 0) {
-        place = static_cast<int>(patch.vertices.size());
-        patch.vertices.push_back(v);
-      }
-      patch.triangles.reshaped()[corner] = place;
+/// Writes to `place_of` where a free vertex is in its patch; −1 before.
+Patch patch_of(const Triangles& triangles, const std::vector<bool>& is_free,
+               std::vector<int>& place_of) {
+  Patch patch{Triangles(3, triangles.cols()), {}};
+  const std::vector<int> fan = fans(triangles, is_free);
+  std::vector<int> place_of_fan(fan.size(), -1);
+  for (Eigen::Index corner = 0; corner < triangles.size(); ++corner) {
+    const int v = triangles.reshaped()[corner];
+    int& place = is_free[at(v)] ? place_of[at(v)] : place_of_fan[at(fan[at(corner)])];
+    if (place < 0) {
+      place = static_cast<int>(patch.vertices.size());
+      patch.vertices.push_back(v);
     }
-    return patch;
+    patch.triangles.reshaped()[corner] = place;
   }
-
- private:
-  const std::vector<bool>& is_free_;
-  std::vector<int> place_;  ///< of every free vertex in its patch
-};
+  return patch;
+}
 
 }  // namespace
 
@@ -119,9 +110,9 @@ void grow(std::vector<bool>& is_marked, const Triangles& triangles, int rings) {
 
 std::vector<Patch> patches(const Triangles& triangles, const std::vector<bool>& is_free) {
   std::vector<Patch> result;
-  PatchMaker maker(is_free);
+  std::vector<int> place_of(is_free.size(), -1);
   for (const std::vector<int>& group : groups(triangles, is_free))
-    result.push_back(maker.of(triangles(Eigen::all, group)));
+    result.push_back(patch_of(triangles(Eigen::all, group), is_free, place_of));
   return result;
 }
 

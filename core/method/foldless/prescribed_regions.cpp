@@ -22,10 +22,11 @@ struct VertexMarks {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-VertexMarks marks_of(const MeshPair& mesh, const Constraints& constraints) {
+VertexMarks marks_of(const MeshPair& mesh, const Constraints& constraints,
+                     const std::vector<BoundaryNeighbours>& neighbours) {
   VertexMarks marks{std::vector<int>(at(mesh.vertex_count()), kNone),
                     components_of(mesh.triangles(), mesh.vertex_count()),
-                    interior_vertices(mesh.triangles(), mesh.vertex_count())};
+                    interior_vertices(mesh.triangles(), neighbours)};
   for (int i = 0; i < constraints.count(); ++i)
     if (!constraints.soft[at(i)]) marks.handle[at(constraints.vertices[at(i)])] = i;
   return marks;
@@ -79,11 +80,10 @@ PrescribedRegion region_of(const MeshPair& mesh, const VertexMarks& marks,
 
 std::vector<PrescribedRegion> prescribed_regions(const MeshPair& mesh,
                                                  const Constraints& constraints) {
-  const VertexMarks marks = marks_of(mesh, constraints);
+  const auto neighbours = boundary_neighbours(mesh.triangles(), mesh.vertex_count());
+  const VertexMarks marks = marks_of(mesh, constraints, neighbours);
   const std::vector<std::vector<int>> components = prescribed_components(mesh, marks);
   std::vector<PrescribedRegion> regions;
-  if (components.empty()) return regions;
-  const auto neighbours = boundary_neighbours(mesh.triangles(), mesh.vertex_count());
   regions.reserve(components.size());
   for (const std::vector<int>& component : components)
     regions.push_back(region_of(mesh, marks, neighbours, component));

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/mesh/boundary.h"
 #include "core/threads/team.h"
 #include "tests/support/meshes.h"
 
@@ -111,7 +112,8 @@ TEST(Injective, AsksBothMeshesOfAPair) {
 TEST(Injective, InteriorVerticesAreThoseInsideAGrid) {
   const int n = 6;
   const test::Fixture f = test::square_grid(n);
-  const std::vector<bool> interior = interior_vertices(f.triangles, n * n + 1);
+  const std::vector<bool> interior =
+      interior_vertices(f.triangles, boundary_neighbours(f.triangles, n * n + 1));
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
       EXPECT_EQ(interior[static_cast<std::size_t>(j * n + i)],
